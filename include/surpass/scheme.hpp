@@ -1,0 +1,56 @@
+// Subdivision schemes: refinement, and the limit surface at the vertices.
+#pragma once
+
+#include <surpass/context.hpp>
+#include <surpass/mesh.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace surpass {
+
+enum class Scheme { loop };
+
+/// What happens at the boundary of an open mesh. Names and meaning of the first two are OpenSubdiv's.
+enum class Boundary {
+  edge_only,        ///< boundary curve: cubic B-spline of the boundary polygon
+  edge_and_corner,  ///< the same, and vertices with exactly one face stay fixed
+  hoppe,            ///< Loop: Hoppe et al. 1994, the rules of the progressive-interpolation paper
+  interior,         ///< Loop: the interior limit mask over the edge neighbours; limit positions only
+};
+
+/// A scheme and how it treats boundaries.
+struct Rules {
+  Scheme scheme = Scheme::loop;
+  Boundary boundary = Boundary::edge_and_corner;
+  bool operator==(const Rules&) const = default;
+};
+
+/// "loop"; "edge-only", "edge-and-corner", "hoppe", "interior".
+[[nodiscard]] const char* name_of(Scheme scheme);
+[[nodiscard]] const char* name_of(Boundary boundary);
+[[nodiscard]] Result<Scheme> scheme_named(std::string_view name);
+[[nodiscard]] Result<Boundary> boundary_named(std::string_view name);
+
+/// #V limit positions of the control vertices. Isolated vertices are their own limit. O(#corners).
+/// Fails where Topology::build does, or if the scheme does not take such faces.
+[[nodiscard]] Result<std::vector<Point>> limit_positions(const Mesh& control, const Rules& rules,
+                                                         const Context& context = {});
+
+/// #V unit normals of the limit surface at the control vertices, on the side from which the faces
+/// turn counterclockwise. On creases and at corners, where the surface has several tangent planes,
+/// the normalised mean of their normals; (0,0,0) where the tangents are parallel or absent.
+[[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& control, const Rules& rules,
+                                                       const Context& context = {});
+
+/// The mesh after `levels` refinement steps (0 returns it unchanged). Vertices of the given mesh
+/// come first and in order, then one per edge. Vertex channels are refined like positions, corner
+/// channels linearly; face sets, holes, creases and corners (sharpness less one) are inherited.
+[[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
+                                  const Context& context = {});
+
+/// The refined mesh moved onto the limit surface, with the limit normals in channel "normal".
+[[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                                      const Context& context = {});
+
+}  // namespace surpass

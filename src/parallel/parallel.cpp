@@ -1,0 +1,65 @@
+#include "parallel/parallel.hpp"
+
+#if defined(SURPASS_THREADS_TBB)
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#elif defined(SURPASS_THREADS_STD)
+#include <atomic>
+#include <thread>
+#endif
+
+namespace surpass::parallel {
+
+#if defined(SURPASS_THREADS_TBB)
+
+int thread_count(const Context& context) {
+  return context.threads > 0 ? context.threads : tbb::this_task_arena::max_concurrency();
+}
+
+static void run_on_threads(int threads, std::size_t chunks, ChunkTask task) {
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) { task.call(task.body, c); });
+  });
+}
+
+#elif defined(SURPASS_THREADS_STD)
+
+int thread_count(const Context& context) {
+  return context.threads > 0 ? context.threads
+                             : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+static void run_on_threads(int threads, std::size_t chunks, ChunkTask task) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t c = next++; c < chunks; c = next++) task.call(task.body, c);
+  };
+  std::vector<std::thread> helpers;
+  for (int t = 1; t < threads && static_cast<std::size_t>(t) < chunks; ++t) {
+    helpers.emplace_back(work);
+  }
+  work();
+  for (std::thread& helper : helpers) helper.join();
+}
+
+#else
+
+int thread_count(const Context&) { return 1; }
+
+static void run_on_threads(int, std::size_t chunks, ChunkTask task) {
+  for (std::size_t c = 0; c < chunks; ++c) task.call(task.body, c);
+}
+
+#endif
+
+void run_chunks(int threads, std::size_t chunks, ChunkTask task) {
+  if (threads <= 1 || chunks <= 1) {
+    for (std::size_t c = 0; c < chunks; ++c) task.call(task.body, c);
+    return;
+  }
+  run_on_threads(threads, chunks, task);
+}
+
+}  // namespace surpass::parallel
