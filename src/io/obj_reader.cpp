@@ -236,6 +236,12 @@ bool ObjReader::read_index(Numbered& numbered, Index& index) {
                                         numbered.name, number, numbered.count),
                       start);
   }
+  if (number >= kNone) {
+    return scan_.fail(ErrorCode::index_out_of_range,
+                      fmt::format("there cannot be so many: {} {}", numbered.name,
+                                  quoted({start, static_cast<std::size_t>(scan_.at() - start)})),
+                      start);
+  }
   number = relative ? numbered.count - number : number - 1;
   numbered.name_it(number, start);
   index = static_cast<Index>(number);
@@ -300,8 +306,9 @@ bool ObjReader::finish() {
                       "kind of file?",
                       first_skipped_);
   }
-  if (!check(vertices_) || !check(faces_) || !check(texture_.rows) || !check(normal_.rows)) {
-    return false;
+  if (!check(vertices_) || !check(faces_)) return false;
+  for (const CornerTable* table : {&texture_, &normal_}) {  // a file without any is read without
+    if (table->rows.count != 0 && !check(table->rows)) return false;
   }
   std::sort(mesh_.hole_faces.begin(), mesh_.hole_faces.end());
   mesh_.hole_faces.erase(std::unique(mesh_.hole_faces.begin(), mesh_.hole_faces.end()),
@@ -317,7 +324,13 @@ bool ObjReader::finish() {
 }
 
 void ObjReader::finish_corners(CornerTable& table, const char* name) {
-  if (table.rows.count == 0) return;
+  if (table.rows.count == 0) {
+    if (table.rows.needed != 0) {
+      out_.notices.push_back(fmt::format(
+          "faces name {0}s, but the file has none; the {0}s are left out", table.rows.name));
+    }
+    return;
+  }
   table.indices.resize(mesh_.face_vertices.size(), kNone);
   mesh_.corner_channels.push_back(
       {name, table.width, std::move(table.values), std::move(table.indices)});

@@ -26,7 +26,13 @@ class PlyText {
   /// Bytes that are left for values; the last one needs no blank behind it.
   [[nodiscard]] std::uint64_t left() const { return std::uint64_t{scan_.left()} + 1; }
   void begin_row() { scan_.skip_space(); }
-  [[nodiscard]] bool end_row() { return scan_.end_line(); }
+  [[nodiscard]] bool end_row() {
+    if (scan_.at_line_end()) return scan_.end_line();
+    return fail(ErrorCode::syntax,
+                "the line holds more values than the header announces; correct the header or the "
+                "line",
+                scan_.at());
+  }
   [[nodiscard]] bool value(Storage type, const std::string& name, double& value) {
     scan_.skip_blanks();
     const char* place = scan_.at();

@@ -10,7 +10,8 @@ namespace {
 
 bool next_word(Scanner& scan, std::string_view& word, const char* what) {
   if (scan.at_line_end()) {
-    return scan.fail(ErrorCode::syntax, fmt::format("the line ends before {}", what));
+    return scan.fail(ErrorCode::syntax,
+                     fmt::format("the line ends before {}; a word is missing", what));
   }
   word = scan.word();
   return true;

@@ -35,14 +35,15 @@ class Row {
       return;
     }
     if (out_.back() != '\n') out_ += ' ';
-    if constexpr (std::is_integral_v<T>) {
-      append_number(out_, static_cast<std::int64_t>(value));
-    } else {  // a float's value as a double's digits, so that no reader rounds it again
-      append_number(out_, static_cast<double>(value));
-    }
+    append_number(out_, value);
   }
+  // As text, a float's value has a double's digits, so that no reader rounds it again.
   void add(Storage type, double value) {
-    with_type(type, [&](auto zero) { add(static_cast<decltype(zero)>(value)); });
+    if (text_) {
+      add(type == Storage::float32 ? rounded_to_float(value) : value);
+    } else {
+      with_type(type, [&](auto zero) { add(static_cast<decltype(zero)>(value)); });
+    }
   }
   void end() {
     if (text_) out_ += '\n';
@@ -257,7 +258,7 @@ void PlyWriter::write_edges() {
   for (const Crease& crease : mesh_.creases) {
     row.add(crease.vertices[0]);
     row.add(crease.vertices[1]);
-    row.add(crease.sharpness);
+    row.add(Storage::float32, static_cast<double>(crease.sharpness));
     row.end();
   }
 }

@@ -113,7 +113,8 @@ bool Scanner::refuse_number(const char* what) {
   const char* start = at_;
   if (done()) return fail(ErrorCode::unexpected_end, fmt::format("the file ends before {}", what));
   if (at_line_end()) {
-    return fail(ErrorCode::syntax, fmt::format("the line ends before {}", what), start);
+    return fail(ErrorCode::syntax,
+                fmt::format("the line ends before {}; a number is missing", what), start);
   }
   at_ = start;
   const std::string_view found = word();
