@@ -182,10 +182,12 @@ bool ObjReader::read_face() {
     mesh_.face_vertices.push_back(vertex);
     if (scan_.peek() == '/' && !read_corner_references()) return false;
     if (!scan_.ends_word(scan_.at())) {
+      const char* place = scan_.at();
       return scan_.fail(ErrorCode::syntax,
                         fmt::format("expected a blank before {}; corners are written v, v/vt, "
                                     "v//vn or v/vt/vn",
-                                    quoted(scan_.word())));
+                                    quoted(scan_.word())),
+                        place);
     }
   }
   if (mesh_.face_offsets.back() == mesh_.face_vertices.size()) {

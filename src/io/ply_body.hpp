@@ -20,7 +20,11 @@ class PlyText {
   static constexpr bool kBinary = false;
   explicit PlyText(Scanner& scan) : scan_(scan) {}
 
-  [[nodiscard]] const char* at() const { return scan_.at(); }
+  /// Where the next value begins.
+  [[nodiscard]] const char* at() {
+    scan_.skip_blanks();
+    return scan_.at();
+  }
   /// The least number of bytes that a value takes, a blank or line end included.
   [[nodiscard]] static std::uint64_t least_size(Storage) { return 2; }
   /// Bytes that are left for values; the last one needs no blank behind it.

@@ -149,9 +149,10 @@ const PlyElement* PlyHeader::find(std::string_view element) const {
 }
 
 bool read_ply_header(Scanner& scan, PlyHeader& header, Mesh& mesh) {
+  const char* start = scan.at();
   if (scan.word() != "ply") {
     return scan.fail(ErrorCode::syntax, "a PLY file begins with a line 'ply', this one does not",
-                     scan.at());
+                     start);
   }
   if (!scan.end_line()) return false;
   bool ended = false;

@@ -55,8 +55,10 @@ void Scanner::skip_statement() {
 
 bool Scanner::end_line() {
   if (!at_line_end()) {
+    const char* start = at_;
     return fail(ErrorCode::syntax,
-                fmt::format("{} is more than this line may hold; remove it", quoted(word())));
+                fmt::format("{} is more than this line may hold; remove it", quoted(word())),
+                start);
   }
   skip_line();
   return true;
