@@ -21,6 +21,10 @@ foreach(component oracle render)
   endif()
 endforeach()
 
+if(TARGET surpass_oracle)  # the package has to find OpenSubdiv the same way
+  install(FILES cmake/FindOpenSubdiv.cmake DESTINATION ${SURPASS_PACKAGE_DIR})
+endif()
+
 install(DIRECTORY include/surpass DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.hpp" ${SURPASS_ABSENT_HEADERS})
 install(FILES ${PROJECT_BINARY_DIR}/include/surpass/version.hpp
