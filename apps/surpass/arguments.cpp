@@ -77,8 +77,8 @@ Result<void> refuse_unknown_options(const CLI::App& app, const std::vector<std::
     if (!looks_like_option(word)) continue;
     const std::string name = option_name(word);
     if (app.get_option_no_throw(name) == nullptr) {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format("there is no option '{}'{}", name, suggestion(name, option_names(app))));
+      return fail(ErrorCode::invalid_argument, fmt::format("there is no option '{}'{}", name,
+                                                           suggestion(name, option_names(app))));
     }
   }
   return {};

@@ -3,20 +3,23 @@
 
 #include <surpass/result.hpp>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
 namespace surpass::cli {
 
-/// The candidate with the smallest edit distance to `word`, or "" if none is near enough to be meant.
-[[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// The candidate with the smallest edit distance to `word`, or "" if none is near enough to be
+/// meant.
+[[nodiscard]] std::string nearest(std::string_view word,
+                                  const std::vector<std::string>& candidates);
 
 /// "; did you mean 'x'?" for the nearest candidate, or "".
 [[nodiscard]] std::string suggestion(std::string_view word,

@@ -6,13 +6,14 @@
 // members to include: MeshInput, MeshOutput, RulesOption.
 #pragma once
 
-#include "session.hpp"
-
 #include <surpass/result.hpp>
 
-#include <CLI/App.hpp>
 #include <memory>
 #include <span>
+
+#include <CLI/App.hpp>
+
+#include "session.hpp"
 
 namespace surpass::cli {
 

@@ -1,9 +1,9 @@
 #include "console.hpp"
 
+#include <cstdio>
+
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <cstdio>
 
 namespace surpass::cli {
 

@@ -1,15 +1,15 @@
 #include "help.hpp"
 
-#include "command.hpp"
-
 #include <surpass/version.hpp>
+
+#include "command.hpp"
 #ifdef SURPASS_ORACLE
 #include <surpass/oracle.hpp>
 #endif
 
-#include <fmt/format.h>
-
 #include <sstream>
+
+#include <fmt/format.h>
 
 namespace surpass::cli {
 
@@ -68,7 +68,8 @@ std::string overview() {
     text += fmt::format("  {:13}{}\n", entry.name, entry.summary);
   }
   text +=
-      "\nFiles: OBJ, PLY, OFF, STL; '-' is the standard input or output. Data goes to stdout or to\n"
+      "\nFiles: OBJ, PLY, OFF, STL; '-' is the standard input or output. Data goes to stdout or "
+      "to\n"
       "files, everything else to stderr.\n\n"
       "Exit codes:\n"
       "  0    done\n"

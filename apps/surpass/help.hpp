@@ -1,10 +1,11 @@
 // The text of --help and --version.
 #pragma once
 
+#include <string>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <string>
 
 namespace surpass::cli {
 

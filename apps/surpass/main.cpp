@@ -1,13 +1,15 @@
 // surpass: picks the command, reads its options, runs it, and turns its outcome into an exit code.
-#include "arguments.hpp"
-#include "command.hpp"
-#include "help.hpp"
-#include "signals.hpp"
-
 #include <surpass/io.hpp>
 #include <surpass/version.hpp>
 
+#include <algorithm>
 #include <new>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "help.hpp"
+#include "mesh_input.hpp"
+#include "signals.hpp"
 
 namespace surpass::cli {
 
@@ -66,21 +68,32 @@ Result<bool> parse(CLI::App& app, Words words) {
   return false;
 }
 
+/// Adds what to try, if the command has the option for it and it was not tried.
+Error with_remedy(Error error, const CLI::App& app) {
+  const std::string sentence = remedy(error.code);
+  const std::string option = sentence.substr(0, sentence.find(' '));
+  const CLI::Option* known = sentence.empty() ? nullptr : app.get_option_no_throw(option);
+  if (known != nullptr && known->count() == 0) error.message += "; " + sentence;
+  return error;
+}
+
 /// Runs the command and reports its outcome; the exit code.
-int execute(Command& command, Session& session) {
-  Result<void> outcome =
-      session.timed("total", [&]() -> Result<void> {
-        try {
-          return command.run(session);
-        } catch (const std::bad_alloc&) {
-          return fail(ErrorCode::too_large, "there is not enough memory for this mesh");
-        }
-      });
+int execute(Command& command, const CLI::App& app, Session& session) {
+  Result<void> outcome = session.timed("total", [&]() -> Result<void> {
+    try {
+      return command.run(session);
+    } catch (const std::bad_alloc&) {
+      return fail(ErrorCode::too_large, "there is not enough memory for this mesh");
+    }
+  });
+  if (!outcome) outcome = tl::make_unexpected(with_remedy(outcome.error(), app));
   // After an interruption nothing more is written, the report included.
   if (outcome || outcome.error().code != ErrorCode::cancelled) {
     const Result<void> written = finish_report(session, outcome ? nullptr : &outcome.error());
-    if (!written && outcome) outcome = written;
-    else if (!written) session.console.error(describe(written.error()));
+    if (!written && outcome)
+      outcome = written;
+    else if (!written)
+      session.console.error(describe(written.error()));
   }
   if (outcome) return 0;
   session.console.error(describe(outcome.error()));
@@ -104,14 +117,13 @@ int run_command(const CommandEntry& entry, const Words& words) {
 
   const Result<bool> help = parse(app, words);
   if (!help) {
-    session.console.error(
-        fmt::format("{}; see {} --help", help.error().message, name));
+    session.console.error(fmt::format("{}; see {} --help", help.error().message, name));
     return exit_status(help.error().code);
   }
   if (*help) return print_out(app.help(), session.console);
   if (options.quiet) session.console.set_loudness(Loudness::quiet);
   if (options.verbose) session.console.set_loudness(Loudness::verbose);
-  return execute(*command, session);
+  return execute(*command, app, session);
 }
 
 int unknown_command(const std::string& word, Console& console) {
@@ -119,8 +131,8 @@ int unknown_command(const std::string& word, Console& console) {
   for (const CommandEntry& entry : commands()) names.emplace_back(entry.name);
   const char* kind = word.starts_with('-') ? "option" : "command";
   if (word.starts_with('-')) names = {"--help", "--version"};
-  console.error(
-      fmt::format("there is no {} '{}'{}; see surpass --help", kind, word, suggestion(word, names)));
+  console.error(fmt::format("there is no {} '{}'{}; see surpass --help", kind, word,
+                            suggestion(word, names)));
   return exit_status(ErrorCode::invalid_argument);
 }
 

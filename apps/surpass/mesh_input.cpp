@@ -1,46 +1,29 @@
 #include "mesh_input.hpp"
 
-#include "arguments.hpp"
-
 #include <surpass/repair.hpp>
 #include <surpass/topology.hpp>
 
+#include "arguments.hpp"
+
 namespace surpass::cli {
 
-void add_from(CLI::App& app, Format& format) {
-  add_choice(app, "--from", format, {Format::obj, Format::ply, Format::off, Format::stl},
-             "Format of the input, for '-' or to overrule the file's own bytes and name")
-      ->group("Input");
-}
-
-void MeshInput::define(CLI::App& app, const std::string& name, const std::string& description) {
-  app.add_option(name, path_, description + "; '-' is the standard input")->required();
-  add_from(app, format_);
+void Mending::define(CLI::App& app) {
   app.add_flag("--repair", repair_,
                "Drop degenerate and repeated faces, turn faces so that neighbours agree, and split "
                "what is still non-manifold")
-      ->group("Input");
+      ->group("Mending");
   app.add_option("--weld", weld_,
-                 "Merge vertices closer than this, relative to the largest side of the bounding "
-                 "box; 0 merges equal coordinates only")
+                 "First merge vertices closer than EPS times the largest side of the bounding box; "
+                 "0 merges equal coordinates only")
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("EPS")
-      ->group("Input");
-  app.add_flag("--triangulate", triangulate_, "Cut polygons into triangles, without new vertices")
-      ->group("Input");
+      ->group("Mending");
+  app.add_flag("--triangulate", triangulate_,
+               "Last cut polygons into triangles, without new vertices")
+      ->group("Mending");
 }
 
-Result<LoadedMesh> MeshInput::load(Session& session) const {
-  Result<LoadedMesh> loaded = load_mesh(path_, format_, session);
-  if (!loaded) return loaded;
-  Result<Mesh> mended = mend(std::move(loaded->mesh), session);
-  if (!mended) return tl::make_unexpected(mended.error());
-  loaded->mesh = std::move(*mended);
-  session.report["input"] = mesh_json(path_, loaded->mesh);
-  return loaded;
-}
-
-Result<Mesh> MeshInput::mend(Mesh mesh, Session& session) const {
+Result<void> Mending::apply(Mesh& mesh, Session& session) const {
   const auto accept = [&](Mended mended) {
     for (const std::string& sentence : mended.done) {
       session.console.note(sentence);
@@ -55,7 +38,28 @@ Result<Mesh> MeshInput::mend(Mesh mesh, Session& session) const {
   }
   if (repair_) accept(repair(mesh));
   if (triangulate_) accept(triangulate(mesh));
-  return mesh;
+  return {};
+}
+
+void MeshInput::define(CLI::App& app, const std::string& name, const std::string& description) {
+  app.add_option(name, path_, description + "; '-' is the standard input")->required();
+  add_from(app, format_, "Format of the input, for '-' or to overrule the file's bytes and name");
+  mending_.define(app);
+}
+
+Result<LoadedMesh> MeshInput::load(Session& session) const {
+  Result<LoadedMesh> loaded = load_mesh(path_, format_, session);
+  if (!loaded) return loaded;
+  const Result<void> mended = mending_.apply(loaded->mesh, session);
+  if (!mended) return tl::make_unexpected(mended.error());
+  if (session.reporting()) session.report["input"] = mesh_json(path_, loaded->mesh);
+  return loaded;
+}
+
+void add_from(CLI::App& app, Format& format, const std::string& description) {
+  add_choice(app, "--from", format, {Format::obj, Format::ply, Format::off, Format::stl},
+             description)
+      ->group("Input");
 }
 
 Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {
@@ -72,6 +76,21 @@ Json mesh_json(const std::string& path, const Mesh& mesh) {
   }
   json["box_side"] = bounding_box(mesh.points).side();
   return json;
+}
+
+std::string remedy(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::non_manifold_edge:
+    case ErrorCode::inconsistent_orientation:
+    case ErrorCode::repeated_vertex:
+    case ErrorCode::degenerate_face:
+    case ErrorCode::duplicate_face:
+      return "--repair mends such meshes";
+    case ErrorCode::unsuitable_for_scheme:
+      return "--triangulate cuts polygons into triangles";
+    default:
+      return {};
+  }
 }
 
 }  // namespace surpass::cli

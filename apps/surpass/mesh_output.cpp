@@ -1,12 +1,12 @@
 #include "mesh_output.hpp"
 
-#include "arguments.hpp"
-
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <span>
+
+#include <unistd.h>
+
+#include "arguments.hpp"
 
 namespace surpass::cli {
 
@@ -65,7 +65,8 @@ Result<void> check_paths(const std::vector<std::string>& inputs,
       if (!force && same_file(outputs[i], input)) {
         return fail(ErrorCode::invalid_argument,
                     fmt::format("'{}' is an input; write to another file, or add --force to "
-                                "replace it", outputs[i]));
+                                "replace it",
+                                outputs[i]));
       }
     }
     if (const auto checked = check_folder(outputs[i]); !checked) return checked;
@@ -74,7 +75,7 @@ Result<void> check_paths(const std::vector<std::string>& inputs,
 }
 
 Result<void> check_report_path(const Session& session, const std::vector<std::string>& inputs) {
-  if (session.report_path.empty()) return check_paths(inputs, {}, false);
+  if (!session.reporting()) return check_paths(inputs, {}, false);
   return check_paths(inputs, {session.report_path}, false);
 }
 
@@ -100,7 +101,7 @@ Result<void> MeshOutput::prepare(const Session& session, const std::vector<std::
                                  const std::vector<std::string>& further_outputs) {
   std::vector<std::string> outputs = {path_};
   outputs.insert(outputs.end(), further_outputs.begin(), further_outputs.end());
-  if (!session.report_path.empty()) outputs.push_back(session.report_path);
+  if (session.reporting()) outputs.push_back(session.report_path);
   if (const auto checked = check_paths(inputs, outputs, force_); !checked) return checked;
 
   if (options_.format == Format::automatic) options_.format = format_of_path(path_);

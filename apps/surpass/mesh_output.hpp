@@ -2,13 +2,14 @@
 // and what cannot be written is said before the work, not after it.
 #pragma once
 
-#include "session.hpp"
-
 #include <surpass/io.hpp>
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
+
+#include <CLI/App.hpp>
+
+#include "session.hpp"
 
 namespace surpass::cli {
 
@@ -19,8 +20,7 @@ class MeshOutput {
 
   /// To be called before the work: checks this output, further ones and the report against the
   /// inputs and each other, and settles the format.
-  [[nodiscard]] Result<void> prepare(const Session& session,
-                                     const std::vector<std::string>& inputs,
+  [[nodiscard]] Result<void> prepare(const Session& session, const std::vector<std::string>& inputs,
                                      const std::vector<std::string>& further_outputs = {});
 
   /// The format of '-' where --to does not name one.

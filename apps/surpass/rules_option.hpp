@@ -1,13 +1,14 @@
 // Which scheme and which boundary rule: told, recorded in the file, or the default.
 #pragma once
 
-#include "session.hpp"
-
 #include <surpass/mesh.hpp>
 #include <surpass/scheme.hpp>
 
-#include <CLI/App.hpp>
 #include <optional>
+
+#include <CLI/App.hpp>
+
+#include "session.hpp"
 
 namespace surpass::cli {
 
@@ -28,5 +29,9 @@ class RulesOption {
 
 /// Makes what the mesh records agree with the rules that it was made by.
 void record(const Rules& rules, Mesh& mesh);
+
+/// Takes the record away: points of a limit surface are no control points, and no reader shall
+/// subdivide them again by rules that made them.
+void forget_rules(Mesh& mesh);
 
 }  // namespace surpass::cli

@@ -9,7 +9,8 @@ namespace surpass::cli {
 int exit_status(ErrorCode code) {
   switch (code) {
     case ErrorCode::invalid_argument:
-    case ErrorCode::not_built_in: return 1;
+    case ErrorCode::not_built_in:
+      return 1;
     case ErrorCode::cannot_open:
     case ErrorCode::cannot_read:
     case ErrorCode::unknown_format:
@@ -18,7 +19,8 @@ int exit_status(ErrorCode code) {
     case ErrorCode::bad_number:
     case ErrorCode::not_finite:
     case ErrorCode::index_out_of_range:
-    case ErrorCode::unsupported: return 2;
+    case ErrorCode::unsupported:
+      return 2;
     case ErrorCode::empty_mesh:
     case ErrorCode::non_manifold_edge:
     case ErrorCode::inconsistent_orientation:
@@ -28,10 +30,14 @@ int exit_status(ErrorCode code) {
     case ErrorCode::too_large:
     case ErrorCode::unsuitable_for_scheme:
     case ErrorCode::singular:
-    case ErrorCode::mismatch: return 3;
-    case ErrorCode::not_converged: return 4;
-    case ErrorCode::cannot_write: return 5;
-    case ErrorCode::cancelled: return 130;
+    case ErrorCode::mismatch:
+      return 3;
+    case ErrorCode::not_converged:
+      return 4;
+    case ErrorCode::cannot_write:
+      return 5;
+    case ErrorCode::cancelled:
+      return 130;
   }
   return 1;
 }
@@ -44,7 +50,14 @@ std::uint64_t peak_memory_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-Json failure_json(const Error& error) {
+}  // namespace
+
+Result<void> Session::print_result(const std::string& text) const {
+  if (report_path == "-") return {};
+  return write_file("-", text);
+}
+
+Json error_json(const Error& error) {
   Json json = {{"code", name_of(error.code)},
                {"exit_status", exit_status(error.code)},
                {"message", describe(error)}};
@@ -59,11 +72,9 @@ Json failure_json(const Error& error) {
   return json;
 }
 
-}  // namespace
-
 Result<void> finish_report(Session& session, const Error* failure) {
-  if (session.report_path.empty()) return {};
-  if (failure != nullptr) session.report["failure"] = failure_json(*failure);
+  if (!session.reporting()) return {};
+  if (failure != nullptr) session.report["failure"] = error_json(*failure);
   session.report["notes"] = session.console.notes();
   session.report["peak_memory_bytes"] = peak_memory_bytes();
   // File names need not be UTF-8; JSON must be.

@@ -1,14 +1,15 @@
 // What one run of the program holds: how to speak, how to compute, and the report that grows.
 #pragma once
 
-#include "console.hpp"
-
 #include <surpass/context.hpp>
 #include <surpass/result.hpp>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "console.hpp"
 
 namespace surpass::cli {
 
@@ -20,6 +21,11 @@ struct Session {
   Context context;  ///< to pass to the library: threads, progress, cancellation by a signal
   Json report = Json::object();  ///< written to --report after the command, whatever its outcome
   std::string report_path = {};
+
+  [[nodiscard]] bool reporting() const { return !report_path.empty(); }
+
+  /// Prints what a command found on stdout; `--report -` puts the report in its place.
+  [[nodiscard]] Result<void> print_result(const std::string& text) const;
 
   /// Runs `stage()` and adds its time to report["seconds"][name].
   template <class Stage>
@@ -43,6 +49,9 @@ struct Session {
 
 /// The exit code for an error: 1 usage, 2 file, 3 mesh, 4 tolerance, 5 output, 130 interrupted.
 [[nodiscard]] int exit_status(ErrorCode code);
+
+/// Code, message and place of an error.
+[[nodiscard]] Json error_json(const Error& error);
 
 /// Adds what every report ends with (times, memory, the failure if there was one) and writes it.
 [[nodiscard]] Result<void> finish_report(Session& session, const Error* failure);

@@ -1,8 +1,8 @@
 #include "signals.hpp"
 
-#include <unistd.h>
-
 #include <csignal>
+
+#include <unistd.h>
 
 namespace surpass::cli {
 
