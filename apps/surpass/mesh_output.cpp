@@ -136,6 +136,10 @@ Result<void> MeshOutput::write(const Mesh& mesh, const std::string& path, Sessio
   const auto lost = session.timed("write", [&] { return write_mesh(mesh, path, options); });
   if (!lost) return tl::make_unexpected(lost.error());
   session.console.notes(*lost);
+  session.report["outputs"].push_back({{"path", path},
+                                       {"format", name_of(options.format)},
+                                       {"vertices", mesh.vertex_count()},
+                                       {"faces", mesh.face_count()}});
   return {};
 }
 
