@@ -72,7 +72,8 @@ class Check : public Command {
 
   Result<void> judge(const Mesh& control, std::span<const Point> given, const Rules& rules,
                      Session& session) const {
-    const double tolerance = std::max(tolerance_, tolerance_floor(given));
+    const double side = bounding_box(given).side();
+    const double tolerance = floored_tolerance(tolerance_, flat(given), side > 0 ? side : 1);
     const Result<Certificate> own =
         session.timed("verify", [&] { return certify(control, given, rules, session.context); });
     if (!own) return tl::make_unexpected(own.error());

@@ -28,6 +28,7 @@ class Interpolate : public Command {
   Result<Verdict> verify(const Mesh& control, const Mesh& given, Session& session) const;
   Result<Certificate> certify_listed(const Mesh& control, const Mesh& given,
                                      const Context& context) const;
+  [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
   Result<void> write(const Interpolated& found, Session& session) const;
 
   MeshInput input_;
@@ -110,17 +111,26 @@ Result<void> Interpolate::run(Session& session) {
                                   name_of(options_.rules.boundary)));
   session.console.say(summary(found->report, *verdict));
 
-  const bool reached = verdict->judged() <= found->report.tolerance;
+  const bool reached = found->report.converged && verdict->judged() <= found->report.tolerance;
   if (reached || keep_best_) {
     if (const auto written = write(*found, session); !written) return written;
   }
-  if (reached) return {};
+  return reached ? Result<void>() : not_reached(found->report, verdict->judged());
+}
+
+Result<void> Interpolate::not_reached(const SolveReport& solved, double error) const {
+  const std::string advice = keep_best_ ? "" : ", or have the best mesh written with --keep-best";
+  if (error <= solved.tolerance) {
+    return fail(ErrorCode::not_converged,
+                fmt::format("the positions reached the tolerance {:.3g}, but a channel did not; "
+                            "allow more with --max-iterations{}",
+                            solved.tolerance, advice));
+  }
   return fail(ErrorCode::not_converged,
               fmt::format("the error is {:.3g} of the box side, above the tolerance {:.3g}, after "
                           "{} iterations; allow more with --max-iterations, accept more with "
                           "--tolerance{}",
-                          verdict->judged(), found->report.tolerance, found->report.iterations,
-                          keep_best_ ? "" : ", or have the best mesh written with --keep-best"));
+                          error, solved.tolerance, solved.iterations, advice));
 }
 
 Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {

@@ -24,7 +24,7 @@ double Verdict::judged() const { return oracle ? std::max(exact.max, oracle->max
 
 void add_solve_report(const SolveReport& solved, const Verdict& verdict, Json& report) {
   report["tolerance"] = solved.tolerance;
-  report["converged"] = verdict.judged() <= solved.tolerance;
+  report["converged"] = solved.converged && verdict.judged() <= solved.tolerance;
   report["iterations"] = solved.iterations;
   report["boundary_iterations"] = solved.boundary_iterations;
   report["error"] = {{"initial_max", solved.initial.max},
