@@ -11,10 +11,11 @@ from pathlib import Path
 
 
 def promises(readme):
-    """Rows of the table, each with the test names of its last column."""
+    """The table's promises, each with the test names of its last column."""
     section = readme.split('\n## Promises\n')[1].split('\n## ')[0]
     rows = [r for r in section.splitlines() if r.startswith('|')][2:]
-    return [(r, re.findall(r'`([^`]+)`', r.rstrip(' |').rsplit('|', 1)[1])) for r in rows]
+    cells = [r.strip('| ').rsplit('|', 1) for r in rows]
+    return [(promise.strip(), re.findall(r'`([^`]+)`', tests)) for promise, tests in cells]
 
 
 def names_of_tests(ctest, build):
@@ -28,7 +29,7 @@ def main():
     readme = (root / 'README.md').read_text(encoding='utf-8')
     tests = names_of_tests(ctest, build)
     rows = promises(readme)
-    wrong = [f'no test is called {name}: {row}' for row, names in rows
+    wrong = [f'no test is called {name}: {promise}' for promise, names in rows
              for name in names or ['(nothing)'] if not fnmatch.filter(tests, name)]
     program = re.search(r'```cpp\n(.*?)```', readme, re.DOTALL).group(1)
     if program != (root / 'examples/interpolate.cpp').read_text(encoding='utf-8'):
