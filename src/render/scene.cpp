@@ -12,6 +12,10 @@ namespace {
 constexpr unsigned kTriangles = 0;
 constexpr unsigned kBalls = 1;
 
+// Ray masks: balls mark places and do not darken the surface around them.
+constexpr unsigned kAll = ~0U;
+constexpr unsigned kSurface = 1U << kTriangles;
+
 template <class T>
 T* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
   return static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
@@ -39,13 +43,14 @@ void keep_nearest(const RTCFilterFunctionNArguments* arguments) {
 }
 
 void attach(RTCScene scene, RTCGeometry geometry, unsigned id) {
+  rtcSetGeometryMask(geometry, 1U << id);
   rtcSetGeometryIntersectFilterFunction(geometry, keep_nearest);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, id);
   rtcReleaseGeometry(geometry);
 }
 
-RTCRay make_ray(const Vec3& origin, const Vec3& direction, float length) {
+RTCRay make_ray(const Vec3& origin, const Vec3& direction, float length, unsigned mask) {
   RTCRay ray = {};
   ray.org_x = origin.x();
   ray.org_y = origin.y();
@@ -54,7 +59,7 @@ RTCRay make_ray(const Vec3& origin, const Vec3& direction, float length) {
   ray.dir_y = direction.y();
   ray.dir_z = direction.z();
   ray.tfar = length;
-  ray.mask = ~0U;
+  ray.mask = mask;
   return ray;
 }
 
@@ -114,7 +119,7 @@ std::optional<Hit> Scene::first_hit(const Vec3& origin, const Vec3& direction) c
   rtcInitIntersectContext(&nearest.context);
   nearest.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCRayHit found = {};
-  found.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity());
+  found.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity(), kAll);
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_.get(), &nearest.context, &found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
@@ -144,7 +149,7 @@ Hit Scene::describe_hit(const RTCRayHit& found) const {
 bool Scene::is_blocked(const Vec3& origin, const Vec3& direction, float length) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay ray = make_ray(origin, direction, length);
+  RTCRay ray = make_ray(origin, direction, length, kSurface);
   rtcOccluded1(scene_.get(), &context, &ray);
   return ray.tfar < 0;
 }

@@ -28,7 +28,7 @@ class Scene {
 
   /// The first hit in front of `origin`. `direction` need not be of unit length.
   [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction) const;
-  /// Whether something lies within `length` times `direction`.
+  /// Whether the surface (not a ball) lies within `length` times `direction`.
   [[nodiscard]] bool is_blocked(const Vec3& origin, const Vec3& direction, float length) const;
 
  private:
