@@ -30,7 +30,7 @@ void define_common(CLI::App& app, CommonOptions& options, Session& session) {
       ->group("General");
   app.add_option("--threads", session.context.threads,
                  "Number of threads, 0 for all cores; results do not depend on it")
-      ->check(CLI::Range(0, 1024))
+      ->check(in_range(0, 1024))
       ->type_name("N")
       ->default_str("0")
       ->group("General");
@@ -77,6 +77,10 @@ Error with_remedy(Error error, const CLI::App& app) {
   return error;
 }
 
+std::string pointing_to_help(const std::string& sentence, const std::string& name) {
+  return fmt::format("{}{} {} --help", sentence, sentence.ends_with('?') ? " See" : "; see", name);
+}
+
 /// Runs the command and reports its outcome; the exit code.
 int execute(Command& command, const CLI::App& app, Session& session) {
   Result<void> outcome = session.timed("total", [&]() -> Result<void> {
@@ -112,15 +116,15 @@ int run_command(const CommandEntry& entry, const Words& words) {
   app.formatter(std::make_shared<HelpFormatter>());
   const std::unique_ptr<Command> command = entry.make();
   CommonOptions options;
-  define_common(app, options, session);
   command->define(app);
+  define_common(app, options, session);
 
   const Result<bool> help = parse(app, words);
   if (!help) {
-    session.console.error(fmt::format("{}; see {} --help", help.error().message, name));
+    session.console.error(pointing_to_help(help.error().message, name));
     return exit_status(help.error().code);
   }
-  if (*help) return print_out(app.help(), session.console);
+  if (*help) return print_out(help_text(app), session.console);
   if (options.quiet) session.console.set_loudness(Loudness::quiet);
   if (options.verbose) session.console.set_loudness(Loudness::verbose);
   return execute(*command, app, session);
