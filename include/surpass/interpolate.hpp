@@ -18,7 +18,8 @@ namespace surpass {
 enum class Solver {
   chebyshev,           ///< Chebyshev acceleration on the proven spectrum interval (the default)
   richardson,          ///< the paper's iteration, x <- x + (v - L x)
-  conjugate_gradient,  ///< in the inner product that makes L symmetric; not with darts or semi-sharp
+  conjugate_gradient,  ///< in the inner product that makes L symmetric; not with darts or
+                       ///< semi-sharp
   gauss_seidel,        ///< in vertex order, on one thread
 };
 [[nodiscard]] const char* name_of(Solver solver);
@@ -34,7 +35,8 @@ struct InterpolateOptions {
   /// Evaluations of the limit operator that one block of unknowns may take.
   unsigned max_iterations = 10000;
   /// Do exactly the number of sweeps that the a-priori bound asks for, without testing in between
-  /// (the paper, end of section 2). Richardson and Chebyshev, on meshes for which a bound is proven.
+  /// (the paper, end of section 2). Richardson and Chebyshev, on meshes for which a bound is
+  /// proven.
   bool direct = false;
   /// Keep every iteration in the history, for any solver; Richardson always does.
   bool full_history = false;
@@ -53,15 +55,16 @@ struct Iteration {
 /// first (section 4 of the paper); closed smooth meshes in one.
 struct SolveReport {
   bool converged = false;
-  double box_side = 0;   ///< largest side of the given points' box, the unit of all errors here
-  double tolerance = 0;  ///< as applied, after the floor
-  unsigned iterations = 0;           ///< evaluations of the limit in the surface block
+  double box_side = 0;      ///< largest side of the given points' box, the unit of all errors here
+  double tolerance = 0;     ///< as applied, after the floor
+  unsigned iterations = 0;  ///< evaluations of the limit in the surface block
   unsigned boundary_iterations = 0;  ///< evaluations in the curve block; 0 where there is none
   Iteration initial = {};            ///< error of the given points taken as control points
   Iteration final = {};
   std::vector<Iteration> history = {};           ///< surface block
   std::vector<Iteration> boundary_history = {};  ///< curve block
-  std::vector<std::string> notes = {};  ///< what the user should know: a fallback taken, a bound missing
+  std::vector<std::string> notes =
+      {};  ///< what the user should know: a fallback taken, a bound missing
 };
 
 struct Solution {
@@ -104,8 +107,9 @@ class Interpolator {
   /// The a-priori bound for these points, or an error that says why none is proven.
   [[nodiscard]] Result<Prediction> predict(std::span<const Point> points) const;
 
- private:
   struct Impl;
+
+ private:
   explicit Interpolator(std::unique_ptr<const Impl> impl);
   std::unique_ptr<const Impl> impl_;
 };

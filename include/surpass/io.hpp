@@ -32,10 +32,10 @@ struct LoadedMesh {
                                             const std::string& name);
 
 struct WriteOptions {
-  Format format = Format::automatic;      ///< automatic: from the path's ending
+  Format format = Format::automatic;        ///< automatic: from the path's ending
   Encoding encoding = Encoding::automatic;  ///< PLY: little-endian; STL: binary; else text
-  bool single_precision = false;          ///< PLY: 32-bit positions (STL always has them)
-  std::vector<std::string> comments = {};  ///< lines for the head of the file
+  bool single_precision = false;            ///< PLY: 32-bit positions (STL always has them)
+  std::vector<std::string> comments = {};   ///< lines for the head of the file
 };
 
 /// Writes a mesh to `path`, "-" for the standard output. A file is written beside its destination,
@@ -60,7 +60,8 @@ struct WriteOptions {
 [[nodiscard]] const char* name_of(Format format);
 [[nodiscard]] Format format_named(std::string_view name);
 
-/// Writes any bytes as write_mesh writes a mesh: beside, flushed, renamed. "-" is the standard output.
+/// Writes any bytes as write_mesh writes a mesh: beside, flushed, renamed. "-" is the standard
+/// output.
 [[nodiscard]] Result<void> write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace surpass

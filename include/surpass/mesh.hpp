@@ -38,9 +38,9 @@ enum class Storage { float64, float32, int8, uint8, int16, uint16, int32, uint32
 
 /// Numbers per vertex: colours, weights, anything. Interpolation carries them along.
 struct Channel {
-  std::string name;                 ///< "color", "texture", "normal", or the file's own name
-  std::vector<std::string> parts;   ///< a name per column, such as {"red","green","blue"}
-  std::vector<double> values;       ///< #V by parts.size(), row after row
+  std::string name;                ///< "color", "texture", "normal", or the file's own name
+  std::vector<std::string> parts;  ///< a name per column, such as {"red","green","blue"}
+  std::vector<double> values;      ///< #V by parts.size(), row after row
   Storage storage = Storage::float64;
   [[nodiscard]] std::size_t width() const { return parts.size(); }
   bool operator==(const Channel&) const = default;
@@ -49,14 +49,15 @@ struct Channel {
 /// Numbers per face corner, with seams: a table of values and, at each corner, the row to use.
 /// Interpolation leaves them as they are; refinement interpolates them linearly inside faces.
 struct CornerChannel {
-  std::string name;             ///< "texture" or "normal"
-  std::size_t width = 2;        ///< columns of `values`
-  std::vector<double> values;   ///< #rows by width
-  std::vector<Index> indices;   ///< a row per face corner, parallel to Mesh::face_vertices; or kNone
+  std::string name;            ///< "texture" or "normal"
+  std::size_t width = 2;       ///< columns of `values`
+  std::vector<double> values;  ///< #rows by width
+  std::vector<Index> indices;  ///< a row per face corner, parallel to Mesh::face_vertices; or kNone
   bool operator==(const CornerChannel&) const = default;
 };
 
-/// Numbers per face (a file's own colours or labels), carried through and inherited by refined faces.
+/// Numbers per face (a file's own colours or labels), carried through and inherited by refined
+/// faces.
 struct FaceChannel {
   std::string name;
   std::vector<std::string> parts;
@@ -74,24 +75,26 @@ struct FaceSet {
   bool operator==(const FaceSet&) const = default;
 };
 
-/// A polygon mesh. Vertex order and the order of corners in a face survive every operation and file.
-/// An empty default value is a valid mesh with no vertices.
+/// A polygon mesh. Vertex order and the order of corners in a face survive every operation and
+/// file. An empty default value is a valid mesh with no vertices.
 struct Mesh {
-  std::vector<Point> points;                 ///< #V positions
-  std::vector<Index> face_offsets = {0};     ///< #F + 1: corners of face f are offsets[f]..offsets[f+1]
-  std::vector<Index> face_vertices;          ///< a vertex per corner; counterclockwise seen from outside
+  std::vector<Point> points;  ///< #V positions
+  std::vector<Index> face_offsets = {
+      0};                            ///< #F + 1: corners of face f are offsets[f]..offsets[f+1]
+  std::vector<Index> face_vertices;  ///< a vertex per corner; counterclockwise seen from outside
 
-  std::vector<Crease> creases;               ///< sharp edges; the last of several for one edge holds
-  std::vector<Corner> corners;               ///< sharp vertices
-  std::vector<Index> hole_faces;             ///< faces kept in the mesh, not drawn; ascending
+  std::vector<Crease> creases;    ///< sharp edges; the last of several for one edge holds
+  std::vector<Corner> corners;    ///< sharp vertices
+  std::vector<Index> hole_faces;  ///< faces kept in the mesh, not drawn; ascending
 
   std::vector<Channel> channels;
   std::vector<CornerChannel> corner_channels;
   std::vector<FaceChannel> face_channels;
   std::vector<FaceSet> face_sets;
-  std::vector<std::string> material_libraries;                     ///< file names, as in OBJ's mtllib
-  std::vector<std::string> tags;                                   ///< OpenSubdiv's further `t` lines
-  std::vector<std::pair<std::string, std::string>> annotations;    ///< "scheme" and "boundary" of a control mesh
+  std::vector<std::string> material_libraries;  ///< file names, as in OBJ's mtllib
+  std::vector<std::string> tags;                ///< OpenSubdiv's further `t` lines
+  std::vector<std::pair<std::string, std::string>>
+      annotations;  ///< "scheme" and "boundary" of a control mesh
 
   [[nodiscard]] Index vertex_count() const { return static_cast<Index>(points.size()); }
   [[nodiscard]] Index face_count() const { return static_cast<Index>(face_offsets.size() - 1); }

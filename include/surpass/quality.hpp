@@ -13,11 +13,11 @@ namespace surpass {
 
 /// Distances between given points and the limit points of a control mesh, vertex by vertex.
 struct Certificate {
-  double max = 0;           ///< relative to box_side
-  double mean = 0;          ///< relative to box_side
-  double box_side = 0;      ///< largest side of the given points' box (1 if that is 0)
+  double max = 0;       ///< relative to box_side
+  double mean = 0;      ///< relative to box_side
+  double box_side = 0;  ///< largest side of the given points' box (1 if that is 0)
   Index worst_vertex = 0;
-  std::string evaluator;    ///< "surpass" or "OpenSubdiv 3.5.0"
+  std::string evaluator;  ///< "surpass" or "OpenSubdiv 3.5.0"
   std::vector<std::string> notes = {};
 };
 
@@ -37,7 +37,7 @@ struct OneSided {
   double max_bound = 0;  ///< proven upper bound of it
   double mean = 0;       ///< area-weighted mean
   double rms = 0;
-  Point at = {};         ///< a point of the first surface at distance max
+  Point at = {};  ///< a point of the first surface at distance max
 };
 struct Deviation {
   OneSided a_to_b;

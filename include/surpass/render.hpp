@@ -21,15 +21,16 @@ struct Image {
 struct RenderOptions {
   int width = 1024;
   int height = 768;
-  int samples = 9;             ///< rays a pixel; rounded up to a square
-  double azimuth = 30;         ///< camera, degrees around the up axis
-  double elevation = 20;       ///< camera, degrees above the horizon
-  char up = 'y';               ///< 'x', 'y' or 'z'
-  bool smooth = true;          ///< shade with vertex normals (channel "normal", else averaged)
-  bool edges = false;          ///< draw the edges of the mesh
+  int samples = 9;                 ///< rays a pixel; rounded up to a square
+  double azimuth = 30;             ///< camera, degrees around the up axis
+  double elevation = 20;           ///< camera, degrees above the horizon
+  char up = 'y';                   ///< 'x', 'y' or 'z'
+  bool smooth = true;              ///< shade with vertex normals (channel "normal", else averaged)
+  bool edges = false;              ///< draw the edges of the mesh
   std::vector<Point> points = {};  ///< drawn as small balls, hidden where the surface covers them
-  double point_radius = 0;     ///< relative to the box side; 0 chooses from the number of points
-  std::optional<std::array<Point, 2>> frame = {};  ///< low and high of the box to fit; default: the mesh's
+  double point_radius = 0;  ///< relative to the box side; 0 chooses from the number of points
+  std::optional<std::array<Point, 2>> frame =
+      {};  ///< low and high of the box to fit; default: the mesh's
 };
 
 /// The mesh on a plain light background, fitted to the picture. Deterministic for any number of

@@ -10,9 +10,10 @@ namespace surpass {
 
 /// What was found by `diagnose`. `refusals` are those for which `Topology::build` would fail.
 struct Diagnosis {
-  std::vector<Error> refusals;       ///< at most `limit` of each code, in order of face, edge, vertex
-  std::vector<std::string> remarks;  ///< legal but worth knowing: bow-ties, isolated or coincident vertices
-  std::size_t refusal_count = 0;     ///< of all, also those above the limit
+  std::vector<Error> refusals;  ///< at most `limit` of each code, in order of face, edge, vertex
+  std::vector<std::string>
+      remarks;  ///< legal but worth knowing: bow-ties, isolated or coincident vertices
+  std::size_t refusal_count = 0;  ///< of all, also those above the limit
 };
 
 /// Everything for which the mesh would be refused, and remarks on what is legal but unusual.
@@ -27,9 +28,9 @@ struct Mended {
 
 /// In this order: drops faces with fewer than three different vertices and repeats of a face, turns
 /// faces so that neighbours agree (each component outward if it is closed: positive volume), and
-/// splits what is still non-manifold: vertices are duplicated along edges of more than two faces and
-/// along edges whose faces cannot be turned to agree (Moebius bands). Vertices keep their numbers;
-/// copies come last. Creases, corners, channels, face sets and holes follow.
+/// splits what is still non-manifold: vertices are duplicated along edges of more than two faces
+/// and along edges whose faces cannot be turned to agree (Moebius bands). Vertices keep their
+/// numbers; copies come last. Creases, corners, channels, face sets and holes follow.
 [[nodiscard]] Mended repair(const Mesh& mesh);
 
 /// Merges vertices closer than `distance` (absolute, at least 0; 0 merges equal coordinates only)

@@ -1,4 +1,5 @@
-// Errors are values: every function that can fail returns a Result. No exception leaves the library.
+// Errors are values: every function that can fail returns a Result. No exception leaves the
+// library.
 #pragma once
 
 #include <array>
@@ -6,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+
 #include <tl/expected.hpp>
 
 namespace surpass {
@@ -25,12 +27,12 @@ enum class ErrorCode {
   cannot_open,
   cannot_read,
   unknown_format,
-  syntax,             ///< a word or byte that the format does not allow here
-  unexpected_end,     ///< the file stops before what it announces
-  bad_number,         ///< not a number, or out of the range of a double
-  not_finite,         ///< NaN or infinity
-  index_out_of_range, ///< a face names a vertex that does not exist
-  unsupported,        ///< legal in the format, but nothing this library can hold
+  syntax,              ///< a word or byte that the format does not allow here
+  unexpected_end,      ///< the file stops before what it announces
+  bad_number,          ///< not a number, or out of the range of a double
+  not_finite,          ///< NaN or infinity
+  index_out_of_range,  ///< a face names a vertex that does not exist
+  unsupported,         ///< legal in the format, but nothing this library can hold
   // The mesh that they describe.
   empty_mesh,
   non_manifold_edge,

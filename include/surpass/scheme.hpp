@@ -11,12 +11,13 @@ namespace surpass {
 
 enum class Scheme { loop };
 
-/// What happens at the boundary of an open mesh. Names and meaning of the first two are OpenSubdiv's.
+/// What happens at the boundary of an open mesh. Names and meaning of the first two are
+/// OpenSubdiv's.
 enum class Boundary {
   edge_only,        ///< boundary curve: cubic B-spline of the boundary polygon
   edge_and_corner,  ///< the same, and vertices with exactly one face stay fixed
   hoppe,            ///< Loop: Hoppe et al. 1994, the rules of the progressive-interpolation paper
-  interior,         ///< Loop: the interior limit mask over the edge neighbours; limit positions only
+  interior,  ///< Loop: the interior limit mask over the edge neighbours; limit positions only
 };
 
 /// A scheme and how it treats boundaries.

@@ -1,4 +1,5 @@
-// Everything of the core library; surpass/oracle.hpp and surpass/render.hpp are libraries of their own.
+// Everything of the core library; surpass/oracle.hpp and surpass/render.hpp are libraries of their
+// own.
 #pragma once
 
 #include <surpass/context.hpp>

@@ -137,7 +137,8 @@ class Topology {
 /// Connected pieces, joined along edges and at shared vertices; isolated vertices do not count.
 struct Components {
   Index count = 0;
-  std::vector<Index> of_vertex;  ///< #V: 0..count-1 in the order of the first vertex, kNone if isolated
+  std::vector<Index>
+      of_vertex;  ///< #V: 0..count-1 in the order of the first vertex, kNone if isolated
 };
 [[nodiscard]] Components find_components(const Topology& topology);
 

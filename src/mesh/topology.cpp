@@ -2,10 +2,10 @@
 // and find their partners inside it. Memory goes by in order but for the scatter into the buckets.
 #include <surpass/topology.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
+
+#include <fmt/format.h>
 
 namespace surpass {
 namespace {
@@ -119,8 +119,8 @@ Result<void> Topology::match_halfedges() {
     for (auto i = begin; i != end; ++i) {
       if (edge_[i->halfedge()] != kNone) continue;  // matched from its partner
       const auto same = [&](const Entry& e) { return e.larger == i->larger; };
-      const auto partner = sorted ? (i + 1 != end && same(i[1]) ? i + 1 : end)
-                                  : std::find_if(i + 1, end, same);
+      const auto partner =
+          sorted ? (i + 1 != end && same(i[1]) ? i + 1 : end) : std::find_if(i + 1, end, same);
       const Index e = edge_count();
       edge_halfedge_.push_back(i->halfedge());
       edge_[i->halfedge()] = e;
@@ -133,7 +133,8 @@ Result<void> Topology::match_halfedges() {
       opposite_[partner->halfedge()] = i->halfedge();
       const auto third = sorted ? (partner + 1 != end && same(partner[1]) ? partner + 1 : end)
                                 : std::find_if(partner + 1, end, same);
-      if (i->reversed() == partner->reversed() || third != end) return explain_conflict(v, i->larger);
+      if (i->reversed() == partner->reversed() || third != end)
+        return explain_conflict(v, i->larger);
     }
   }
   return {};
@@ -158,9 +159,10 @@ Result<void> Topology::explain_conflict(Index a, Index b) const {
     return fail(ErrorCode::non_manifold_edge,
                 fmt::format("an edge has {} faces; at most 2 can meet at one", faces), place);
   }
-  return fail(ErrorCode::inconsistent_orientation,
-              "the two faces at an edge run along it in the same direction: one of them is inside out",
-              place);
+  return fail(
+      ErrorCode::inconsistent_orientation,
+      "the two faces at an edge run along it in the same direction: one of them is inside out",
+      place);
 }
 
 // Chooses a start for every fan: the first spoke of an open fan, else the smallest half-edge.
@@ -201,9 +203,9 @@ void Topology::find_fans() {
 }
 
 std::vector<Index> Topology::further_fans(Index v) const {
-  const auto [begin, end] =
-      std::equal_range(further_fans_.begin(), further_fans_.end(), FurtherFan{v, 0},
-                       [](const FurtherFan& a, const FurtherFan& b) { return a.vertex < b.vertex; });
+  const auto [begin, end] = std::equal_range(
+      further_fans_.begin(), further_fans_.end(), FurtherFan{v, 0},
+      [](const FurtherFan& a, const FurtherFan& b) { return a.vertex < b.vertex; });
   std::vector<Index> starts;
   for (auto fan = begin; fan != end; ++fan) starts.push_back(fan->start);
   return starts;

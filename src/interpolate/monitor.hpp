@@ -1,0 +1,58 @@
+// Decides when an iteration ends, keeps its history, and carries progress and cancellation.
+#pragma once
+
+#include <surpass/interpolate.hpp>
+
+#include <string_view>
+
+#include "interpolate/linear_system.hpp"
+
+namespace surpass {
+
+enum class Verdict {
+  go_on,
+  reached,    ///< the error is within the tolerance
+  exhausted,  ///< no evaluations left
+  stalled,    ///< no progress any more, or the error is not a number
+  cancelled,
+};
+
+struct StopRule {
+  double tolerance = 0;  ///< relative to unit
+  double unit = 1;       ///< the length of which errors are fractions
+  unsigned max_iterations = 0;
+  bool full_history = false;
+  bool stop_when_stalled = false;
+  std::string_view stage = "solve";
+};
+
+class Monitor {
+ public:
+  Monitor(const StopRule& rule, const LinearSystem& system) : rule_(rule), system_(system) {}
+
+  /// Takes the error of the next evaluation of the limit.
+  Verdict record(const ErrorNorms& norms);
+
+  [[nodiscard]] unsigned iterations() const { return last_.iteration; }
+  [[nodiscard]] const Iteration& last() const { return last_; }
+  [[nodiscard]] const Iteration& best() const { return best_; }
+  [[nodiscard]] bool keeps_best() const { return best_.max == last_.max; }
+  /// Every iteration, or the first and the last.
+  [[nodiscard]] std::vector<Iteration> history() const;
+
+ private:
+  // Evaluations without a tenth gained after which an iteration counts as stalled.
+  static constexpr unsigned kPatience = 200;
+
+  [[nodiscard]] double fraction() const;
+
+  StopRule rule_;
+  const LinearSystem& system_;
+  Iteration first_;
+  Iteration last_;
+  Iteration best_;
+  Iteration progress_;  // the last one that gained a tenth
+  std::vector<Iteration> history_;
+};
+
+}  // namespace surpass

@@ -1,0 +1,44 @@
+#include <surpass/quality.hpp>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace surpass {
+
+Result<Certificate> compare_points(std::span<const Point> limit, std::span<const Point> given,
+                                   std::string evaluator) {
+  if (limit.size() != given.size()) {
+    return fail(ErrorCode::mismatch,
+                fmt::format("the control mesh has {} vertices and the given mesh {}: they must be "
+                            "the same vertices in the same order",
+                            limit.size(), given.size()));
+  }
+  Certificate certificate;
+  certificate.evaluator = std::move(evaluator);
+  const double side = bounding_box(given).side();
+  certificate.box_side = side > 0 ? side : 1;
+  double sum = 0;
+  for (std::size_t v = 0; v < given.size(); ++v) {
+    // Relative before squaring, so that no coordinate is too large or too small for it.
+    const double distance = std::hypot((limit[v][0] - given[v][0]) / certificate.box_side,
+                                       (limit[v][1] - given[v][1]) / certificate.box_side,
+                                       (limit[v][2] - given[v][2]) / certificate.box_side);
+    sum += distance;
+    if (distance > certificate.max || std::isnan(distance)) {
+      certificate.max = distance;
+      certificate.worst_vertex = static_cast<Index>(v);
+    }
+  }
+  if (!given.empty()) certificate.mean = sum / static_cast<double>(given.size());
+  return certificate;
+}
+
+Result<Certificate> certify(const Mesh& control, std::span<const Point> given, const Rules& rules,
+                            const Context& context) {
+  const auto limit = limit_positions(control, rules, context);
+  if (!limit) return tl::make_unexpected(limit.error());
+  return compare_points(*limit, given, "surpass");
+}
+
+}  // namespace surpass

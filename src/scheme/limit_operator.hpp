@@ -1,0 +1,45 @@
+// The limit operator L of a control mesh, and what is proven about its spectrum.
+#pragma once
+
+#include <surpass/context.hpp>
+#include <surpass/mesh.hpp>
+#include <surpass/scheme.hpp>
+#include <surpass/topology.hpp>
+
+#include <vector>
+
+#include "scheme/sparse_rows.hpp"
+
+namespace surpass {
+
+/// limit points = rows * control points; each row sums to 1.
+struct LimitOperator {
+  SparseRows rows;
+
+  /// #V weights d > 0 such that diag(d) * rows is symmetric among rows of the same kind (surface
+  /// rows with surface rows, curve rows with curve rows), or 0 where no such weight exists (darts,
+  /// semi-sharp vertices). See the methods page for the proofs.
+  std::vector<double> symmetric_weight;
+
+  /// #V lower bounds: a principal submatrix of rows of one kind, all with positive weight, has its
+  /// eigenvalues in [smallest of these, 1]. 0 where nothing is proven.
+  std::vector<double> lowest_eigenvalue;
+
+  /// #V: 1 where the row takes part in curves (boundaries, creases), 0 on the smooth surface.
+  std::vector<unsigned char> on_curve;
+};
+
+/// Rows for every vertex. Fails if the scheme does not take the mesh's faces or its creases.
+Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                                     const Context& context);
+
+/// One refinement step: the refined mesh without positions and vertex channels, and the weights
+/// that make them (a row per refined vertex, a column per given one).
+struct Refinement {
+  Mesh mesh;
+  SparseRows stencil;
+};
+Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                              const Context& context);
+
+}  // namespace surpass

@@ -1,0 +1,134 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "scheme/loop.hpp"
+#include "scheme/loop_masks.hpp"
+
+namespace surpass::loop {
+namespace {
+
+Result<void> require_triangles(const Topology& topology) {
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    if (topology.face_degree(f) == 3) continue;
+    return fail(ErrorCode::unsuitable_for_scheme,
+                fmt::format("Loop surfaces are made of triangles, and a face has {} vertices; "
+                            "triangulate the mesh first",
+                            topology.face_degree(f)),
+                {.face = f});
+  }
+  return {};
+}
+
+// beta(n) for every valence of a plain vertex, so that no cosine is taken a million times.
+std::vector<double> beta_table(const std::vector<Index>& valences) {
+  const Index most = valences.empty() ? 0 : *std::max_element(valences.begin(), valences.end());
+  std::vector<double> table(static_cast<std::size_t>(most) + 1, 1.0);
+  for (std::size_t n = 1; n < table.size(); ++n) table[n] = beta(n);
+  return table;
+}
+
+// What is known of a row's place in the symmetric form; see limit_operator.hpp.
+struct RowFacts {
+  double weight = 0;
+  double lowest = 0;
+  bool curve = false;
+};
+
+// Interior rows: diag(n / (1 - beta)) L is symmetric, and x'Sx is half the sum over faces of
+// (x_a + x_b + x_c)^2 plus the sum of n (beta / (1 - beta) - 1/2) x^2, so every eigenvalue is at
+// least the smallest (3 beta - 1) / 2. Rows that leave vertices out form a principal submatrix.
+RowFacts surface_facts(std::size_t n, double beta_n) {
+  return {static_cast<double>(n) / (1 - beta_n), (3 * beta_n - 1) / 2, false};
+}
+
+// Curve rows: symmetric with 1/6 off the diagonal, or with 48 and 35 under `hoppe`; the bound is
+// Gershgorin's, row by row: the diagonal less the rest.
+RowFacts curve_facts(const LoopRing& ring, const std::vector<double>& mask) {
+  const double weight = !ring.is_hoppe_curve() ? 6.0 : ring.center_regular ? 48.0 : 35.0;
+  return {weight, 2 * mask[0] - 1, true};
+}
+
+RowFacts facts_of(const LoopRing& ring, const std::vector<double>& mask) {
+  if (mask[0] == 1) return {1, 1, true};
+  if (ring.boundary == Boundary::interior && ring.open) {
+    return {static_cast<double>(ring.size()) / (1 - mask[0]), 0, false};
+  }
+  const VertexRule rule = ring.rule();
+  if (ring.is_semi_sharp()) return {0, 0, rule != VertexRule::dart};
+  if (rule == VertexRule::dart) return {0, 0, false};
+  if (rule == VertexRule::crease) return curve_facts(ring, mask);
+  return surface_facts(ring.size(), mask[0]);
+}
+
+}  // namespace
+
+Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, Boundary boundary,
+                                     const Context& context) {
+  if (auto ok = require_triangles(topology); !ok) return tl::make_unexpected(ok.error());
+  const auto sharpness = Sharpness::build(mesh, topology, boundary);
+  if (!sharpness) return tl::make_unexpected(sharpness.error());
+
+  const Index n = topology.vertex_count();
+  std::vector<Index> valence(n);
+  parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      valence[v] =
+          sharpness->is_plain(static_cast<Index>(v)) ? topology.valence(static_cast<Index>(v)) : 0;
+    }
+  });
+  const std::vector<double> betas = beta_table(valence);
+
+  LimitOperator op;
+  op.symmetric_weight.assign(n, 1.0);
+  op.lowest_eigenvalue.assign(n, 1.0);
+  op.on_curve.assign(n, 1);
+  const auto note = [&](Index v, const RowFacts& facts) {
+    op.symmetric_weight[v] = facts.weight;
+    op.lowest_eigenvalue[v] = facts.lowest;
+    op.on_curve[v] = facts.curve ? 1 : 0;
+  };
+  const auto special_mask = [&](Index v) {
+    return limit_mask(LoopRing::around(topology, *sharpness, boundary, v));
+  };
+  const auto used = [](const std::vector<double>& mask) {
+    return static_cast<Index>(
+        std::count_if(mask.begin(), mask.end(), [](double w) { return w != 0; }));
+  };
+
+  op.rows = SparseRows::build(
+      context, n,
+      [&](Index v) -> Index {
+        if (topology.is_isolated(v)) return 1;
+        return valence[v] != 0 ? valence[v] + 1 : used(special_mask(v));
+      },
+      [&](Index v, std::span<Index> columns, std::span<double> weights) {
+        if (topology.is_isolated(v)) {
+          columns[0] = v;
+          weights[0] = 1;
+          return;
+        }
+        if (valence[v] != 0) {
+          const double b = betas[valence[v]];
+          columns[0] = v;
+          weights[0] = b;
+          std::size_t k = 1;
+          topology.for_each_spoke(v, [&](Index w, Index) { columns[k++] = w; });
+          std::fill(weights.begin() + 1, weights.end(), (1 - b) / valence[v]);
+          note(v, surface_facts(valence[v], b));
+          return;
+        }
+        const LoopRing ring = LoopRing::around(topology, *sharpness, boundary, v);
+        const std::vector<double> mask = limit_mask(ring);
+        std::size_t k = 0;
+        for (std::size_t i = 0; i < mask.size(); ++i) {
+          if (mask[i] == 0) continue;
+          columns[k] = i == 0 ? v : ring.spokes[i - 1];
+          weights[k++] = mask[i];
+        }
+        note(v, facts_of(ring, mask));
+      });
+  return op;
+}
+
+}  // namespace surpass::loop

@@ -1,0 +1,207 @@
+#include "scheme/loop_masks.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace surpass::loop {
+namespace {
+
+using Mask = std::vector<double>;
+
+Mask center_only(const LoopRing& ring) {
+  Mask mask(ring.size() + 1, 0.0);
+  mask[0] = 1;
+  return mask;
+}
+
+// `center` at the center and the rest in equal parts at two spokes.
+Mask curve_mask(const LoopRing& ring, double center) {
+  Mask mask(ring.size() + 1, 0.0);
+  mask[0] = center;
+  for (const std::size_t j : ring.sharp_spokes()) mask[1 + j] = (1 - center) / 2;
+  return mask;
+}
+
+Mask even_mask(const LoopRing& ring, double center) {
+  Mask mask(ring.size() + 1, (1 - center) / static_cast<double>(ring.size()));
+  mask[0] = center;
+  return mask;
+}
+
+Mask vertex_mask_of(const LoopRing& ring, VertexRule rule) {
+  switch (rule) {
+    case VertexRule::corner:
+      return center_only(ring);
+    case VertexRule::crease:
+      return curve_mask(ring, 3.0 / 4);
+    default:
+      return even_mask(ring, 1 - alpha(ring.size()));
+  }
+}
+
+// The six limit masks of boundary vertices under `hoppe`, built up from their two neighbours.
+Mask hoppe_limit_mask(const LoopRing& ring) {
+  Mask mask(ring.size() + 1, 0.0);
+  mask[0] = ring.center_regular ? 1.0 / 2 : 9.0 / 20;
+  const std::array<std::size_t, 2> ends = {1, ring.size()};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool regular = ring.end_regular[i];
+    if (ring.center_regular) {
+      mask[0] += (regular ? 4.0 : 5.0) / 48;
+      mask[ends[i]] = (regular ? 8.0 : 7.0) / 48;
+    } else {
+      mask[0] += (regular ? 3.0 : 4.0) / 40;
+      mask[ends[i]] = (regular ? 8.0 : 7.0) / 40;
+    }
+  }
+  return mask;
+}
+
+// The exact limit at the end of a crease, by invariance under refinement. OpenSubdiv uses the
+// smooth mask there, to which its own refined points do not converge.
+Mask dart_limit_mask(const LoopRing& ring) {
+  const std::size_t n = ring.size();
+  const std::size_t end = ring.sharp_spokes().front();
+  const double c = alpha(n) / static_cast<double>(n);
+  const double r = (5 - std::sqrt(21.0)) / 2;
+  const auto power = [&](std::size_t j) { return std::pow(r, static_cast<double>(j)); };
+  Mask mask(n + 1, 0.0);
+  mask[0] = 1;
+  for (std::size_t j = 1; j < n; ++j) {
+    mask[1 + (end + j) % n] = 8 * c / 3 * (1 - (power(j) + power(n - j)) / (1 + power(n)));
+  }
+  mask[1 + end] = 2 * c + mask[1 + (end + 1) % n] / 2;
+  const double sum = std::accumulate(mask.begin(), mask.end(), 0.0);
+  for (double& w : mask) w /= sum;
+  return mask;
+}
+
+// Limit mask of a ring whose sharpnesses are all 0 or infinite.
+Mask settled_limit_mask(const LoopRing& ring) {
+  switch (ring.rule()) {
+    case VertexRule::corner:
+      return center_only(ring);
+    case VertexRule::crease:
+      return ring.is_hoppe_curve() ? hoppe_limit_mask(ring) : curve_mask(ring, 2.0 / 3);
+    case VertexRule::dart:
+      return dart_limit_mask(ring);
+    default:
+      return even_mask(ring, beta(ring.size()));
+  }
+}
+
+void blend(Mask& into, double share, const Mask& other) {
+  for (std::size_t i = 0; i < into.size(); ++i) into[i] = share * into[i] + (1 - share) * other[i];
+}
+
+}  // namespace
+
+double alpha(std::size_t n) {
+  const double c = 3.0 / 8 + std::cos(2 * std::numbers::pi / static_cast<double>(n)) / 4;
+  return 5.0 / 8 - c * c;
+}
+
+double beta(std::size_t n) {
+  const double c = 3.0 / 8 + std::cos(2 * std::numbers::pi / static_cast<double>(n)) / 4;
+  return 3 / (11 - 8 * (3.0 / 8 + c * c));
+}
+
+LoopRing LoopRing::around(const Topology& topology, const Sharpness& sharpness, Boundary boundary,
+                          Index v) {
+  LoopRing ring;
+  static_cast<Ring&>(ring) = Ring::around(topology, sharpness, v);
+  ring.boundary = boundary;
+  if (boundary == Boundary::hoppe && ring.open) {
+    constexpr Index kRegular = 4;
+    ring.center_regular = ring.size() == kRegular;
+    ring.end_regular = {topology.valence(ring.spokes.front()) == kRegular,
+                        topology.valence(ring.spokes.back()) == kRegular};
+  }
+  return ring;
+}
+
+bool LoopRing::is_hoppe_curve() const {
+  return boundary == Boundary::hoppe && open && rule() == VertexRule::crease;
+}
+
+LoopRing LoopRing::child() const {
+  LoopRing ring = *this;
+  static_cast<Ring&>(ring) = Ring::child();
+  ring.end_regular = {true, true};  // a new boundary vertex has valence 4
+  return ring;
+}
+
+std::vector<double> vertex_mask(const LoopRing& ring) {
+  const VertexRule rule = ring.rule();
+  Mask mask = vertex_mask_of(ring, rule);
+  if (rule == VertexRule::smooth || rule == VertexRule::dart) return mask;
+  const LoopRing child = ring.child();
+  if (child.rule() == rule) return mask;
+  // The child's rule, applied to the parent's points; only its choice of sharp spokes is the
+  // child's.
+  const Mask after = vertex_mask_of(child, child.rule());
+  blend(mask, static_cast<double>(transitional_weight(ring, child)), after);
+  return mask;
+}
+
+double boundary_edge_share(Boundary boundary, bool first_regular, bool second_regular) {
+  if (boundary != Boundary::hoppe || first_regular == second_regular) return 1.0 / 2;
+  return first_regular ? 5.0 / 8 : 3.0 / 8;
+}
+
+std::vector<double> spoke_mask(const LoopRing& ring, std::size_t j) {
+  const std::size_t n = ring.size();
+  Mask mask(n + 1, 0.0);
+  if (ring.open && (j == 0 || j + 1 == n)) {
+    mask[0] =
+        boundary_edge_share(ring.boundary, ring.center_regular, ring.end_regular[j == 0 ? 0 : 1]);
+    mask[1 + j] = 1 - mask[0];
+    return mask;
+  }
+  const double crease = std::min(1.0, static_cast<double>(ring.spoke_sharpness[j]));
+  mask[0] = mask[1 + j] = crease / 2 + (1 - crease) * 3 / 8;
+  mask[1 + (j + 1) % n] += (1 - crease) / 8;
+  mask[1 + (j + n - 1) % n] += (1 - crease) / 8;
+  return mask;
+}
+
+std::vector<double> compose(const std::vector<double>& mask,
+                            const std::vector<std::vector<double>>& weights) {
+  Mask composed(weights.front().size(), 0.0);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i] == 0) continue;
+    for (std::size_t k = 0; k < composed.size(); ++k) composed[k] += mask[i] * weights[i][k];
+  }
+  return composed;
+}
+
+SettledRing settle(const LoopRing& ring) {
+  const std::size_t n = ring.size();
+  SettledRing settled{ring, std::vector(n + 1, Mask(n + 1, 0.0))};
+  for (std::size_t i = 0; i <= n; ++i) settled.weights[i][i] = 1;
+  while (settled.ring.is_semi_sharp()) {
+    std::vector<Mask> next;
+    next.reserve(n + 1);
+    next.push_back(compose(vertex_mask(settled.ring), settled.weights));
+    for (std::size_t j = 0; j < n; ++j) {
+      next.push_back(compose(spoke_mask(settled.ring, j), settled.weights));
+    }
+    settled.weights = std::move(next);
+    settled.ring = settled.ring.child();
+  }
+  return settled;
+}
+
+std::vector<double> limit_mask(const LoopRing& ring) {
+  if (ring.boundary == Boundary::interior && ring.open && ring.sharpness <= 0) {
+    return even_mask(ring, beta(ring.size()));
+  }
+  // A vertex that stays a corner for good is its own limit, however its neighbours move.
+  if (is_infinite(ring.sharpness)) return center_only(ring);
+  if (!ring.is_semi_sharp()) return settled_limit_mask(ring);
+  const SettledRing settled = settle(ring);
+  return compose(settled_limit_mask(settled.ring), settled.weights);
+}
+
+}  // namespace surpass::loop

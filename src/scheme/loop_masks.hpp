@@ -1,0 +1,70 @@
+// Masks of Loop subdivision around one vertex. Masks are weights in the order center, spokes.
+//
+// Loop, Smooth subdivision surfaces based on triangles, 1987 (interior rules);
+// Hoppe et al., Piecewise smooth surface reconstruction, 1994 (rule `hoppe`);
+// creases as OpenSubdiv has them, but for the limit at darts, which is exact here.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scheme/ring.hpp"
+
+namespace surpass::loop {
+
+/// Weight that the vertex rule moves to the ring of a vertex of valence n: 5/8 - (3/8 +
+/// cos(2pi/n)/4)^2.
+[[nodiscard]] double alpha(std::size_t n);
+
+/// Weight of the center in the interior limit mask, equation (3) of the paper.
+[[nodiscard]] double beta(std::size_t n);
+
+/// A ring and, under the rule `hoppe`, which of its boundary vertices are regular (valence 4).
+struct LoopRing : Ring {
+  Boundary boundary = Boundary::edge_and_corner;
+  bool center_regular = false;
+  std::array<bool, 2> end_regular = {};  ///< of the first and the last spoke of an open ring
+
+  /// On the boundary curve under `hoppe`, with no crease coming in.
+  [[nodiscard]] bool is_hoppe_curve() const;
+  [[nodiscard]] LoopRing child() const;
+  static LoopRing around(const Topology& topology, const Sharpness& sharpness, Boundary boundary,
+                         Index v);
+};
+
+/// Refined position of the center.
+[[nodiscard]] std::vector<double> vertex_mask(const LoopRing& ring);
+
+/// Limit position of the center, semi-sharp rings included.
+[[nodiscard]] std::vector<double> limit_mask(const LoopRing& ring);
+
+/// The new points on the spokes: mask j is for the edge from the center to spoke j.
+[[nodiscard]] std::vector<double> spoke_mask(const LoopRing& ring, std::size_t j);
+
+/// Share of the boundary edge's point that goes to its first vertex, under any boundary rule.
+[[nodiscard]] double boundary_edge_share(Boundary boundary, bool first_regular,
+                                         bool second_regular);
+
+/// Limit normal's ingredients: one pair of tangent masks for every smooth sector at the vertex.
+/// Crossed in this order they point to the outside.
+struct Tangents {
+  std::vector<double> first;
+  std::vector<double> second;
+  std::size_t begin = 0;  ///< first spoke of the sector
+  std::size_t faces = 0;  ///< faces in the sector
+};
+[[nodiscard]] std::vector<Tangents> tangent_masks(const LoopRing& ring);
+
+/// Follows a semi-sharp ring through refinement until every sharpness is 0 or infinite.
+/// `weights`: row i, in the order center, spokes, holds the mask of the ring's i-th final point.
+struct SettledRing {
+  LoopRing ring;
+  std::vector<std::vector<double>> weights;
+};
+[[nodiscard]] SettledRing settle(const LoopRing& ring);
+
+/// mask * weights: a mask over the settled ring, expressed in the points of the given one.
+[[nodiscard]] std::vector<double> compose(const std::vector<double>& mask,
+                                          const std::vector<std::vector<double>>& weights);
+
+}  // namespace surpass::loop

@@ -1,0 +1,22 @@
+// What refined meshes inherit: creases, corners, face sets, holes and corner channels.
+#pragma once
+
+#include <surpass/mesh.hpp>
+#include <surpass/topology.hpp>
+
+#include <vector>
+
+namespace surpass {
+
+/// Sharpness of child edges and vertices, for schemes that keep the vertices first and put the
+/// point of edge e at #V + e. `refined` receives creases, corners and the remaining tags.
+void inherit_creases(const Mesh& mesh, const Topology& topology, Mesh& refined);
+
+/// Face sets, face channels and holes; face f has children[f] child faces, in order.
+void inherit_face_attributes(const Mesh& mesh, const std::vector<Index>& children, Mesh& refined);
+
+/// Corner channels of triangles cut in four (corner children first, then the middle), linearly.
+/// Corners that shared a row of values, and edges that shared both, share their refined rows.
+void refine_corner_channels_of_triangles(const Mesh& mesh, Mesh& refined);
+
+}  // namespace surpass
