@@ -1,0 +1,127 @@
+// One pointer over the text of a mesh file, shared by all readers. It owns no text and keeps no
+// line numbers: those are counted only when an error needs them.
+#pragma once
+
+#include <surpass/result.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <fast_float/fast_float.h>
+
+namespace surpass::io {
+
+/// Lines end with LF, CR LF or CR. Functions that return bool return false after `fail`, which
+/// keeps the error for the caller at the top; on the way up nothing is left to do but to return.
+class Scanner {
+ public:
+  /// `comment` starts a comment that runs to the end of its line; '\n' where a format has none.
+  Scanner(std::string_view text, std::string_view name, char comment = '\n')
+      : begin_(text.data()),
+        end_(text.data() + text.size()),
+        at_(begin_),
+        name_(name),
+        comment_(comment) {}
+
+  // Place.
+  [[nodiscard]] bool done() const { return at_ == end_; }
+  [[nodiscard]] const char* at() const { return at_; }
+  [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+  [[nodiscard]] char peek(std::size_t ahead = 0) const {
+    return ahead < left() ? at_[ahead] : '\n';
+  }
+  void move_to(const char* place) { at_ = place; }
+  void advance(std::size_t bytes) { at_ += bytes; }
+
+  // Blanks and lines.
+  /// Skips spaces, tabs, and line ends after a backslash.
+  void skip_blanks() {
+    for (;; ++at_) {
+      while (at_ != end_ && (*at_ == ' ' || *at_ == '\t')) ++at_;
+      if (at_ == end_ || *at_ != '\\' || !skip_continuation()) return;
+    }
+  }
+  /// Skips blanks, comments and line ends.
+  void skip_space();
+  /// True before a line end, a comment or the end of the text; skips the blanks before it.
+  [[nodiscard]] bool at_line_end() {
+    skip_blanks();
+    return done() || is_line_end(*at_) || *at_ == comment_;
+  }
+  /// Moves behind the next line end; a backslash is a character like others.
+  void skip_line();
+  /// The same, but a line that ends with a backslash goes on.
+  void skip_statement();
+  /// Moves behind the line end; anything else than blanks and a comment before it is an error.
+  [[nodiscard]] bool end_line();
+
+  // Words and numbers, at the place where they begin.
+  /// Up to the next blank, comment or line end; empty at a line end.
+  [[nodiscard]] std::string_view word();
+  /// What is left of the line, without blanks around it and without a comment behind a blank.
+  [[nodiscard]] std::string_view rest_of_line();
+  /// A finite number. `what` names it in an error: "an x coordinate".
+  template <class T>
+  [[nodiscard]] bool number(T& value, const char* what) {
+    const char* start = at_;
+    const char* digits = start + (peek() == '+' && peek(1) != '-' ? 1 : 0);
+    const auto [stop, failure] = fast_float::from_chars(digits, end_, value);
+    if (failure != std::errc() || !ends_word(stop) || !std::isfinite(value)) {
+      return refuse_number(what);
+    }
+    at_ = stop;
+    return true;
+  }
+  /// Digits, whatever follows them; a value of more than 18 digits stays somewhere above those.
+  [[nodiscard]] bool digits(std::uint64_t& value) {
+    constexpr std::uint64_t kEnough = 1000000000000000000;
+    const char* start = at_;
+    value = 0;
+    for (; at_ != end_ && *at_ >= '0' && *at_ <= '9'; ++at_) {
+      if (value < kEnough) value = 10 * value + static_cast<std::uint64_t>(*at_ - '0');
+    }
+    return at_ != start;
+  }
+  /// A number without sign and fraction.
+  [[nodiscard]] bool whole(std::uint64_t& value, const char* what);
+
+  // Errors.
+  /// Records the error with line and column of `place`; false.
+  bool fail(ErrorCode code, std::string message, const char* place);
+  bool fail(ErrorCode code, std::string message) { return fail(code, std::move(message), at_); }
+  /// The same with the byte, for binary files.
+  bool fail_at_byte(ErrorCode code, std::string message, const char* place);
+  /// The same with the file only.
+  bool fail_as_a_whole(ErrorCode code, std::string message);
+  [[nodiscard]] const Error& error() const { return error_; }
+
+  [[nodiscard]] static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+  [[nodiscard]] bool ends_word(const char* place) const {
+    if (place == end_) return true;
+    const char c = *place;
+    return c == ' ' || c == '\t' || is_line_end(c) || c == comment_;
+  }
+
+ private:
+  bool skip_continuation();
+  void skip_line_end();
+  void skip_to_line_end();
+  bool refuse_number(const char* what);
+
+  const char* begin_;
+  const char* end_;
+  const char* at_;
+  std::string name_;
+  char comment_;
+  Error error_;
+};
+
+/// Printable form of a piece of a file for messages: in quotes, unprintable bytes as dots, cut
+/// where it is long.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+}  // namespace surpass::io
