@@ -4,7 +4,6 @@ SHELL := /bin/bash
 export JOBS ?= $(shell nproc)
 # A folder of further meshes for `make test` and `make papers`.
 DATA ?= $(wildcard ../shared/data)
-SOURCES = $(shell git ls-files '*.cpp' '*.hpp' '*.hpp.in')
 
 .PHONY: help demo build test bench papers format lint clean
 help:  ## print this list
@@ -31,7 +30,7 @@ papers: need-papers  ## repeat the figures of the papers into docs/papers; needs
 	@tools/papers.sh "$(DATA)"
 
 format: need-format  ## rewrite the sources in the project's format
-	@clang-format -i $(SOURCES)
+	@tools/sources.sh | xargs clang-format -i
 
 lint: need-lint  ## check format and names; every warning is an error
 	@tools/lint.sh

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-mapfile -t sources < <(git ls-files '*.cpp' '*.hpp')
+mapfile -t sources < <(tools/sources.sh)
 clang-format --dry-run -Werror "${sources[@]}"
 echo "clang-format: ${#sources[@]} files"
 

@@ -14,7 +14,8 @@ report=$build/Testing/report.xml
 mkdir -p "${report%/*}"
 rm -f "$report"
 ctest --test-dir "$build" -j "${JOBS:-$(nproc)}" --output-on-failure --output-junit \
-  "$(realpath "$report")" "$@" | grep -Ev ' Start +[0-9]+: |   Passed +[0-9.]+ sec$'
+  "$(realpath "$report")" "$@" |
+  grep -Ev ' Start +[0-9]+: |   Passed +[0-9.]+ sec$|Skipped +[0-9.]+ sec$|\(Skipped\)$|did not run:$'
 status=${PIPESTATUS[0]}
 [ -f "$report" ] || exit 1
 
@@ -22,7 +23,7 @@ count() { sed -n "s/.*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p" "$report" | head -1; 
 total=$(count tests) failed=$(count failures) skipped=$(count skipped)
 [ "$total" -gt 0 ] || { echo "No test was found in $build." >&2; exit 1; }
 if [ "$skipped" -gt 0 ] && [ -z "$data" ]; then
-  echo "$skipped cases were skipped because no folder of real meshes was given (DATA=DIR)."
+  echo "$skipped cases were skipped; those that need a folder of real meshes run with DATA=DIR."
 fi
 echo "$((total - failed - skipped)) passed, $failed failed, $skipped skipped"
 exit "$status"
