@@ -36,7 +36,7 @@ void define_common(CLI::App& app, CommonOptions& options, Session& session) {
       ->group("General");
   CLI::Option* quiet =
       app.add_flag("--quiet,-q", options.quiet, "Say nothing but errors")->group("General");
-  app.add_flag("--verbose,-v", options.verbose, "Say more on stderr")
+  app.add_flag("--verbose,-v", options.verbose, "Also say on stderr how long each stage took")
       ->excludes(quiet)
       ->group("General");
 }
@@ -81,27 +81,31 @@ std::string pointing_to_help(const std::string& sentence, const std::string& nam
   return fmt::format("{}{} {} --help", sentence, sentence.ends_with('?') ? " See" : "; see", name);
 }
 
+Result<void> run_guarded(Command& command, Session& session) {
+  try {
+    return command.run(session);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::too_large, "there is not enough memory for this mesh");
+  }
+}
+
 /// Runs the command and reports its outcome; the exit code.
 int execute(Command& command, const CLI::App& app, Session& session) {
-  Result<void> outcome = session.timed("total", [&]() -> Result<void> {
-    try {
-      return command.run(session);
-    } catch (const std::bad_alloc&) {
-      return fail(ErrorCode::too_large, "there is not enough memory for this mesh");
-    }
-  });
-  if (!outcome) outcome = tl::make_unexpected(with_remedy(outcome.error(), app));
-  // After an interruption nothing more is written, the report included.
-  if (outcome || outcome.error().code != ErrorCode::cancelled) {
-    const Result<void> written = finish_report(session, outcome ? nullptr : &outcome.error());
-    if (!written && outcome)
-      outcome = written;
-    else if (!written)
-      session.console.error(describe(written.error()));
+  Result<void> outcome = session.timed("total", [&] { return run_guarded(command, session); });
+  if (!outcome && outcome.error().code == ErrorCode::cancelled) {
+    // The report is not written either.
+    session.console.error("interrupted; nothing was written");
+    return exit_status(ErrorCode::cancelled);
   }
-  if (outcome) return 0;
-  session.console.error(describe(outcome.error()));
-  return exit_status(outcome.error().code);
+  if (!outcome) {
+    outcome = tl::make_unexpected(with_remedy(outcome.error(), app));
+    session.console.error(describe(outcome.error()));
+  }
+  session.tell_times();
+  const Result<void> written = finish_report(session, outcome ? nullptr : &outcome.error());
+  if (!written) session.console.error(describe(written.error()));
+  if (!outcome) return exit_status(outcome.error().code);
+  return written ? 0 : exit_status(written.error().code);
 }
 
 int run_command(const CommandEntry& entry, const Words& words) {
@@ -135,8 +139,9 @@ int unknown_command(const std::string& word, Console& console) {
   for (const CommandEntry& entry : commands()) names.emplace_back(entry.name);
   const char* kind = word.starts_with('-') ? "option" : "command";
   if (word.starts_with('-')) names = {"--help", "--version"};
-  console.error(fmt::format("there is no {} '{}'{}; see surpass --help", kind, word,
-                            suggestion(word, names)));
+  const std::string sentence =
+      fmt::format("there is no {} '{}'{}", kind, word, suggestion(word, names));
+  console.error(pointing_to_help(sentence, "surpass"));
   return exit_status(ErrorCode::invalid_argument);
 }
 

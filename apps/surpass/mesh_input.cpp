@@ -64,6 +64,7 @@ void add_from(CLI::App& app, Format& format, const std::string& description) {
 
 Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {
   Result<LoadedMesh> loaded = session.timed("read", [&] { return read_mesh(path, format); });
+  if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
   if (loaded) session.console.notes(loaded->notices);
   return loaded;
 }

@@ -2,6 +2,7 @@
 
 #include <surpass/io.hpp>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "signals.hpp"
@@ -51,6 +52,12 @@ std::uint64_t peak_memory_bytes() {
 Result<void> Session::print_result(const std::string& text) const {
   if (report_path == "-") return {};
   return write_file("-", text);
+}
+
+void Session::tell_times() {
+  for (const auto& [stage, seconds] : report["seconds"].items()) {
+    console.detail(fmt::format("{:10}{:10.4f} s", stage, seconds.get<double>()));
+  }
 }
 
 Json error_json(const Error& error) {

@@ -1,7 +1,6 @@
 // Exits 2 to 5 and 130: files that cannot be read or written, meshes that do not suit, tolerances
 // out of reach, interruptions. A failed command leaves nothing behind.
 #include <csignal>
-#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
