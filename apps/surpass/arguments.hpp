@@ -30,6 +30,12 @@ namespace surpass::cli {
 [[nodiscard]] Result<void> refuse_unknown_options(const CLI::App& app,
                                                   const std::vector<std::string>& words);
 
+/// CLI::Range without its own words in --help, where the description tells the range.
+template <class Number>
+CLI::Validator in_range(Number low, Number high) {
+  return CLI::Range(low, high).description("");
+}
+
 /// An option that takes one of a few names, as name_of(value) writes them. `target` is a Value, or
 /// an optional that stays empty without the option.
 template <class Target, class Value>
@@ -54,8 +60,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Target& target
                        suggestion(word, names));
   };
   return app.add_option_function<std::string>(option, store, description)
-      ->check(CLI::Validator(known, fmt::format("{}", fmt::join(names, "|"))))
-      ->type_name("");
+      ->check(CLI::Validator(known, ""))
+      ->type_name(fmt::format("{}", fmt::join(names, "|")));
 }
 
 }  // namespace surpass::cli

@@ -38,7 +38,7 @@ class Compare : public Command {
     app.add_option("--accuracy", accuracy_,
                    "How near the found maximum is to its proven bound, relative to the largest "
                    "side of A's bounding box (1e-9 to 1)")
-        ->check(CLI::Range(1e-9, 1.0))
+        ->check(in_range(1e-9, 1.0))
         ->type_name("X")
         ->capture_default_str()
         ->group("Distance");

@@ -51,11 +51,18 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool positiona
 }
 
 std::string HelpFormatter::make_description(const CLI::App* app) const {
-  return app->get_description() + "\n\n";
+  return app->get_name() + ": " + app->get_description() + "\n\n";
 }
 
 std::string HelpFormatter::make_footer(const CLI::App* app) const {
   return "\n" + app->get_footer();
+}
+
+std::string help_text(const CLI::App& app) {
+  std::string text = app.help();
+  // CLI11 puts two empty lines between groups.
+  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
+  return text;
 }
 
 std::string overview() {

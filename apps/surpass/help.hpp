@@ -17,6 +17,9 @@ class HelpFormatter : public CLI::Formatter {
   [[nodiscard]] std::string make_footer(const CLI::App* app) const override;
 };
 
+/// `surpass COMMAND --help`, in the form of HelpFormatter.
+[[nodiscard]] std::string help_text(const CLI::App& app);
+
 /// `surpass --help`: the commands and the exit codes.
 [[nodiscard]] std::string overview();
 

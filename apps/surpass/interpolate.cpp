@@ -65,7 +65,7 @@ void Interpolate::define(CLI::App& app) {
   add_solver_options(app, options_);
   app.add_option("--max-iterations", options_.max_iterations,
                  "Most evaluations of the limit, for curves and surface each")
-      ->check(CLI::Range(1U, 1000000000U))
+      ->check(in_range(1U, 1000000000U))
       ->type_name("N")
       ->capture_default_str()
       ->group("Solver");

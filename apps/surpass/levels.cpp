@@ -9,7 +9,7 @@ namespace surpass::cli {
 CLI::Option* add_levels(CLI::App& app, int& levels, const std::string& description) {
   return app
       .add_option("--levels", levels, description + " (0 to 10; each makes four faces of one)")
-      ->check(CLI::Range(0, 10))
+      ->check(in_range(0, 10))
       ->type_name("N")
       ->default_str(std::to_string(levels));
 }

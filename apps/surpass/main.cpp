@@ -30,13 +30,13 @@ void define_common(CLI::App& app, CommonOptions& options, Session& session) {
       ->group("General");
   app.add_option("--threads", session.context.threads,
                  "Number of threads, 0 for all cores; results do not depend on it")
-      ->check(CLI::Range(0, 1024))
+      ->check(in_range(0, 1024))
       ->type_name("N")
       ->default_str("0")
       ->group("General");
   CLI::Option* quiet =
       app.add_flag("--quiet,-q", options.quiet, "Say nothing but errors")->group("General");
-  app.add_flag("--verbose,-v", options.verbose, "Say more on stderr")
+  app.add_flag("--verbose,-v", options.verbose, "Also say on stderr how long each stage took")
       ->excludes(quiet)
       ->group("General");
 }
@@ -77,27 +77,35 @@ Error with_remedy(Error error, const CLI::App& app) {
   return error;
 }
 
+std::string pointing_to_help(const std::string& sentence, const std::string& name) {
+  return fmt::format("{}{} {} --help", sentence, sentence.ends_with('?') ? " See" : "; see", name);
+}
+
+Result<void> run_guarded(Command& command, Session& session) {
+  try {
+    return command.run(session);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::too_large, "there is not enough memory for this mesh");
+  }
+}
+
 /// Runs the command and reports its outcome; the exit code.
 int execute(Command& command, const CLI::App& app, Session& session) {
-  Result<void> outcome = session.timed("total", [&]() -> Result<void> {
-    try {
-      return command.run(session);
-    } catch (const std::bad_alloc&) {
-      return fail(ErrorCode::too_large, "there is not enough memory for this mesh");
-    }
-  });
-  if (!outcome) outcome = tl::make_unexpected(with_remedy(outcome.error(), app));
-  // After an interruption nothing more is written, the report included.
-  if (outcome || outcome.error().code != ErrorCode::cancelled) {
-    const Result<void> written = finish_report(session, outcome ? nullptr : &outcome.error());
-    if (!written && outcome)
-      outcome = written;
-    else if (!written)
-      session.console.error(describe(written.error()));
+  Result<void> outcome = session.timed("total", [&] { return run_guarded(command, session); });
+  if (!outcome && outcome.error().code == ErrorCode::cancelled) {
+    // The report is not written either.
+    session.console.error("interrupted; nothing was written");
+    return exit_status(ErrorCode::cancelled);
   }
-  if (outcome) return 0;
-  session.console.error(describe(outcome.error()));
-  return exit_status(outcome.error().code);
+  if (!outcome) {
+    outcome = tl::make_unexpected(with_remedy(outcome.error(), app));
+    session.console.error(describe(outcome.error()));
+  }
+  session.tell_times();
+  const Result<void> written = finish_report(session, outcome ? nullptr : &outcome.error());
+  if (!written) session.console.error(describe(written.error()));
+  if (!outcome) return exit_status(outcome.error().code);
+  return written ? 0 : exit_status(written.error().code);
 }
 
 int run_command(const CommandEntry& entry, const Words& words) {
@@ -112,15 +120,15 @@ int run_command(const CommandEntry& entry, const Words& words) {
   app.formatter(std::make_shared<HelpFormatter>());
   const std::unique_ptr<Command> command = entry.make();
   CommonOptions options;
-  define_common(app, options, session);
   command->define(app);
+  define_common(app, options, session);
 
   const Result<bool> help = parse(app, words);
   if (!help) {
-    session.console.error(fmt::format("{}; see {} --help", help.error().message, name));
+    session.console.error(pointing_to_help(help.error().message, name));
     return exit_status(help.error().code);
   }
-  if (*help) return print_out(app.help(), session.console);
+  if (*help) return print_out(help_text(app), session.console);
   if (options.quiet) session.console.set_loudness(Loudness::quiet);
   if (options.verbose) session.console.set_loudness(Loudness::verbose);
   return execute(*command, app, session);
@@ -131,8 +139,9 @@ int unknown_command(const std::string& word, Console& console) {
   for (const CommandEntry& entry : commands()) names.emplace_back(entry.name);
   const char* kind = word.starts_with('-') ? "option" : "command";
   if (word.starts_with('-')) names = {"--help", "--version"};
-  console.error(fmt::format("there is no {} '{}'{}; see surpass --help", kind, word,
-                            suggestion(word, names)));
+  const std::string sentence =
+      fmt::format("there is no {} '{}'{}", kind, word, suggestion(word, names));
+  console.error(pointing_to_help(sentence, "surpass"));
   return exit_status(ErrorCode::invalid_argument);
 }
 

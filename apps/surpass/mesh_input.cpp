@@ -15,7 +15,7 @@ void Mending::define(CLI::App& app) {
   app.add_option("--weld", weld_,
                  "First merge vertices closer than EPS times the largest side of the bounding box; "
                  "0 merges equal coordinates only")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->type_name("EPS")
       ->group("Mending");
   app.add_flag("--triangulate", triangulate_,
@@ -64,6 +64,7 @@ void add_from(CLI::App& app, Format& format, const std::string& description) {
 
 Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {
   Result<LoadedMesh> loaded = session.timed("read", [&] { return read_mesh(path, format); });
+  if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
   if (loaded) session.console.notes(loaded->notices);
   return loaded;
 }
@@ -84,12 +85,9 @@ std::string remedy(ErrorCode code) {
     case ErrorCode::inconsistent_orientation:
     case ErrorCode::repeated_vertex:
     case ErrorCode::degenerate_face:
-    case ErrorCode::duplicate_face:
-      return "--repair mends such meshes";
-    case ErrorCode::unsuitable_for_scheme:
-      return "--triangulate cuts polygons into triangles";
-    default:
-      return {};
+    case ErrorCode::duplicate_face: return "--repair mends such meshes";
+    case ErrorCode::unsuitable_for_scheme: return "--triangulate cuts polygons into triangles";
+    default: return {};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "arguments.hpp"
+#include "signals.hpp"
 
 namespace surpass::cli {
 
@@ -82,7 +83,8 @@ Result<void> check_report_path(const Session& session, const std::vector<std::st
 void MeshOutput::define(CLI::App& app, const std::string& name, const std::string& description) {
   app.add_option(name, path_, description + "; '-' is the standard output")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group(name.starts_with('-') ? "Output" : "Positionals");
   add_choice(app, "--to", options_.format, {Format::obj, Format::ply, Format::off, Format::stl},
              "Format of the output, for '-' or to overrule the file's ending; '-' without it takes "
              "the format of the input")
@@ -133,6 +135,7 @@ Result<void> MeshOutput::write(const Mesh& mesh, const std::string& path, Sessio
   if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
   WriteOptions options = options_;
   if (path != path_ && path != "-") options.format = format_of_path(path);
+  const UnfinishedFile unfinished(path);
   const auto lost = session.timed("write", [&] { return write_mesh(mesh, path, options); });
   if (!lost) return tl::make_unexpected(lost.error());
   session.console.notes(*lost);

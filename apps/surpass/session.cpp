@@ -2,15 +2,17 @@
 
 #include <surpass/io.hpp>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
+
+#include "signals.hpp"
 
 namespace surpass::cli {
 
 int exit_status(ErrorCode code) {
   switch (code) {
     case ErrorCode::invalid_argument:
-    case ErrorCode::not_built_in:
-      return 1;
+    case ErrorCode::not_built_in: return 1;
     case ErrorCode::cannot_open:
     case ErrorCode::cannot_read:
     case ErrorCode::unknown_format:
@@ -19,8 +21,7 @@ int exit_status(ErrorCode code) {
     case ErrorCode::bad_number:
     case ErrorCode::not_finite:
     case ErrorCode::index_out_of_range:
-    case ErrorCode::unsupported:
-      return 2;
+    case ErrorCode::unsupported: return 2;
     case ErrorCode::empty_mesh:
     case ErrorCode::non_manifold_edge:
     case ErrorCode::inconsistent_orientation:
@@ -30,14 +31,10 @@ int exit_status(ErrorCode code) {
     case ErrorCode::too_large:
     case ErrorCode::unsuitable_for_scheme:
     case ErrorCode::singular:
-    case ErrorCode::mismatch:
-      return 3;
-    case ErrorCode::not_converged:
-      return 4;
-    case ErrorCode::cannot_write:
-      return 5;
-    case ErrorCode::cancelled:
-      return 130;
+    case ErrorCode::mismatch: return 3;
+    case ErrorCode::not_converged: return 4;
+    case ErrorCode::cannot_write: return 5;
+    case ErrorCode::cancelled: return 130;
   }
   return 1;
 }
@@ -55,6 +52,12 @@ std::uint64_t peak_memory_bytes() {
 Result<void> Session::print_result(const std::string& text) const {
   if (report_path == "-") return {};
   return write_file("-", text);
+}
+
+void Session::tell_times() {
+  for (const auto& [stage, seconds] : report["seconds"].items()) {
+    console.detail(fmt::format("{:10}{:10.4f} s", stage, seconds.get<double>()));
+  }
 }
 
 Json error_json(const Error& error) {
@@ -79,6 +82,7 @@ Result<void> finish_report(Session& session, const Error* failure) {
   session.report["peak_memory_bytes"] = peak_memory_bytes();
   // File names need not be UTF-8; JSON must be.
   const std::string text = session.report.dump(2, ' ', false, Json::error_handler_t::replace);
+  const UnfinishedFile unfinished(session.report_path);
   return write_file(session.report_path, text + "\n");
 }
 

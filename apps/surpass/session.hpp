@@ -27,6 +27,9 @@ struct Session {
   /// Prints what a command found on stdout; `--report -` puts the report in its place.
   [[nodiscard]] Result<void> print_result(const std::string& text) const;
 
+  /// With --verbose: a line for each stage that was timed.
+  void tell_times();
+
   /// Runs `stage()` and adds its time to report["seconds"][name].
   template <class Stage>
   auto timed(const char* name, Stage&& stage) {

@@ -9,10 +9,11 @@ namespace surpass::cli {
 namespace {
 
 std::atomic<bool> interrupted = false;
+std::atomic<bool> unfinished = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
 void on_signal(int /*signal*/) {
-  if (interrupted.exchange(true)) _exit(130);
+  if (interrupted.exchange(true) && !unfinished) _exit(130);
 }
 
 }  // namespace
@@ -25,7 +26,12 @@ const std::atomic<bool>& catch_signals() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   return interrupted;
 }
+
+UnfinishedFile::UnfinishedFile(const std::string& path) { unfinished = path != "-"; }
+
+UnfinishedFile::~UnfinishedFile() { unfinished = false; }
 
 }  // namespace surpass::cli

@@ -19,7 +19,7 @@ void add_tolerance(CLI::App& app, double& tolerance) {
                  "Largest distance allowed between a given vertex and the limit surface at it, "
                  "relative to the largest side of the given mesh's bounding box; never taken below "
                  "4 units in the last place of the coordinates")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->type_name("T")
       ->default_str(fmt::format("{}", tolerance))
       ->group("Solver");

@@ -70,8 +70,8 @@ TEST_P(ProgressiveReference, ControlMeshesMatch) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Loop, ProgressiveReference, testing::ValuesIn(loop_cases()),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
+                         [](const auto& which) {
+                           std::string name = which.param.name;
                            for (char& c : name) {
                              if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
                            }

@@ -1,0 +1,97 @@
+// What a contender in a comparison is, and how it is run: prepared outside the clock, timed,
+// judged outside the clock. Google Benchmark repeats and records.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "workload.hpp"
+
+namespace surpass::bench {
+
+/// Who does what, in the words of the table.
+struct Entry {
+  std::string step;     ///< contenders with the same step and size are compared
+  std::string tool;     ///< "Surpass" is what the others are compared with
+  std::string counted;  ///< what lies between start and stop of the clock, and what does not
+  bool slow = false;    ///< run once at the largest size
+};
+
+/// The outcome of a run, in figures that went with its result.
+struct Verdict {
+  double difference = 0;             ///< from the result that all contenders must reach
+  double allowed = 0;                ///< more than that fails the whole run
+  std::optional<double> error = {};  ///< of an interpolation: largest distance to a given point
+  std::optional<double> sweeps = {};
+};
+
+/// Times that a contender runs: often where it is fast, at least five times, slow ones less.
+[[nodiscard]] int repetitions(const Entry& entry, Index side);
+
+/// What all threads of the process have used. Beside the wall clock it shows how busy the machine
+/// was with other work.
+[[nodiscard]] double processor_seconds();
+
+class Harness {
+ public:
+  explicit Harness(Workloads& workloads) : workloads_(workloads) {}
+
+  /// Registers a contender at one size. `prepare(workload)` gives the callable that is timed; what
+  /// that returns is kept until the clock has stopped, and judged by `judge(workload, result)`.
+  /// Unless it runs only once, a first run that is judged but not timed warms it up.
+  template <class Prepare, class Judge>
+  void add(const Entry& entry, Index side, Prepare prepare, Judge judge);
+
+  /// Contenders whose result was not what it must be.
+  [[nodiscard]] int failures() const { return failures_; }
+
+ private:
+  void record(benchmark::State& state, const Verdict& verdict, double processor_ms);
+
+  Workloads& workloads_;
+  int failures_ = 0;
+};
+
+template <class Prepare, class Judge>
+void Harness::add(const Entry& entry, Index side, Prepare prepare, Judge judge) {
+  using Run = decltype(prepare(std::declval<const Workload&>()));
+  struct Session {
+    std::optional<Run> run;
+    std::optional<Verdict> verdict;
+    int left;
+  };
+  const int times = repetitions(entry, side);
+  auto session = std::make_shared<Session>(Session{{}, {}, times});
+  const auto measure = [=, this](benchmark::State& state) {
+    const Workload& workload = workloads_[side];
+    if (!session->run) {
+      session->run.emplace(prepare(workload));
+      if (times > 1) session->verdict = judge(workload, (*session->run)());
+    }
+    double processor_ms = 0;
+    for (auto _ : state) {
+      const double worked = processor_seconds();
+      const auto start = std::chrono::steady_clock::now();
+      const auto result = (*session->run)();
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+      processor_ms = 1e3 * (processor_seconds() - worked);
+      state.SetIterationTime(spent.count());
+      if (!session->verdict) session->verdict = judge(workload, result);
+    }
+    state.SetLabel(entry.counted);
+    record(state, *session->verdict, processor_ms);
+    if (--session->left == 0) session->run.reset();
+  };
+  const auto vertices = std::to_string(std::size_t{side} * side);
+  benchmark::RegisterBenchmark((entry.step + '/' + vertices + '/' + entry.tool).c_str(), measure)
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Repetitions(times)
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace surpass::bench

@@ -1,0 +1,44 @@
+// surpass_bench [--benchmark_filter=...]: Surpass beside the libraries that do parts of its work,
+// all in one process. Prints figures as they come; table.py makes the table from the JSON. Exits
+// with 1 if any result, ours or a rival's, is not the one that all must reach.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "contenders.hpp"
+#include "machine.hpp"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace surpass::bench;
+  Workloads workloads(std::filesystem::temp_directory_path() / "surpass_bench");
+  Harness harness(workloads);
+  for (const auto side : kSides) {
+    for (const auto add : {add_anchors, add_surpass, add_opensubdiv, add_openmesh, add_cgal,
+                           add_tinyobjloader, add_assimp, add_cholmod, add_eigen}) {
+      add(harness, side);
+    }
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  for (const auto& [key, value] : machine_facts()) benchmark::AddCustomContext(key, value);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  if (harness.failures() > 0) fmt::print(stderr, "{} results disagree\n", harness.failures());
+  return harness.failures() > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "surpass_bench: {}\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""Makes the table of a benchmark run: table.py FIGURES.json > TABLE.md
+
+Medians are taken here, from the raw figures. The file is rewritten without what is derived from
+them and without the name of the machine, so that it can be published.
+"""
+import json
+import statistics
+import sys
+
+OURS = "Surpass"
+ANCHOR = "this machine"
+BUSY = 0.9  # below this share of a core the wall clock says more about the neighbours
+
+
+def load(path):
+    """The run with only its raw figures left."""
+    with open(path, encoding="utf-8") as file:
+        run = json.load(file)
+    run["context"].pop("host_name", None)
+    run["benchmarks"] = [b for b in run["benchmarks"] if b["run_type"] == "iteration"]
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(run, file, indent=0)
+        file.write("\n")
+    return run
+
+
+def gather(run):
+    """{(step, vertices): {tool: figures}} in the order of first appearance."""
+    groups = {}
+    for b in run["benchmarks"]:
+        step, vertices, tool = b["name"].split("/")[:3]
+        figures = groups.setdefault((step, int(vertices)), {}).setdefault(
+            tool, {"wall": [], "processor": [], "counted": b["label"], "wrong": False}
+        )
+        figures["wall"].append(b["real_time"])
+        figures["processor"].append(b["processor_ms"])
+        figures["wrong"] |= b.get("error_occurred", False)
+        for key in ("difference", "error", "sweeps"):
+            figures[key] = b.get(key)
+    return groups
+
+
+def median(figures, clock):
+    return statistics.median(figures[clock])
+
+
+def milliseconds(figures):
+    """Median, and the range where there were several runs."""
+    times = figures["wall"]
+    text = f"{statistics.median(times):.3g}" if max(times) < 1000 else f"{statistics.median(times):.0f}"
+    return text if len(times) == 1 else f"{text} ({min(times):.3g}..{max(times):.3g})"
+
+
+def row(cells):
+    return "| " + " | ".join(str(c) for c in cells) + " |"
+
+
+def heading(*names):
+    return [row(names), row(["---"] * len(names))]
+
+
+def small(x):
+    return "" if x is None else "0" if x == 0 else f"{x:.0e}"
+
+
+def ratio(rival, ours, clock):
+    return median(rival, clock) / median(ours, clock)
+
+
+def comparison(groups):
+    lines = heading("step", "vertices", "ours, ms", "other", "its time, ms", "ratio",
+                    "ratio of processor times", "difference", "error ours", "error other", "runs")
+    for (step, vertices), tools in groups.items():
+        ours = tools.get(OURS)
+        for tool, figures in tools.items():
+            if tool in (OURS, ANCHOR):
+                continue
+            if ours is None:
+                cells = ["", tool, milliseconds(figures), "", ""]
+            else:
+                cells = [milliseconds(ours), tool, milliseconds(figures),
+                         f"{ratio(figures, ours, 'wall'):.2f}",
+                         f"{ratio(figures, ours, 'processor'):.2f}"]
+            note = "**WRONG**" if figures["wrong"] else small(figures["difference"])
+            lines.append(row([step, vertices, *cells, note,
+                              small(ours["error"]) if ours else "", small(figures["error"]),
+                              len(figures["wall"])]))
+    return lines
+
+
+def anchors(groups):
+    lines = heading("step", "vertices", "ours, ms", "anchor", "its time, ms", "ours in anchors")
+    for (step, vertices), tools in groups.items():
+        if ANCHOR in tools and OURS in tools:
+            anchor, ours = tools[ANCHOR], tools[OURS]
+            lines.append(row([step, vertices, milliseconds(ours), anchor["counted"],
+                              milliseconds(anchor), f"{1 / ratio(anchor, ours, 'wall'):.1f}"]))
+    return lines
+
+
+def counted(groups):
+    lines = heading("step", "tool", "counted")
+    seen = set()
+    for (step, _), tools in groups.items():
+        for tool, figures in tools.items():
+            if (step, tool) not in seen:
+                seen.add((step, tool))
+                lines.append(row([step, tool, figures["counted"]]))
+    return lines
+
+
+def lost(groups):
+    """Where another was faster than we are, by wall or processor time."""
+    lines = []
+    for (step, vertices), tools in groups.items():
+        for tool, figures in tools.items():
+            if OURS not in tools or tool.startswith(OURS) or tool == ANCHOR:
+                continue
+            if (faster := ratio(figures, tools[OURS], "wall")) < 1:
+                lines.append(f"- {step}, {vertices} vertices: {tool} took {faster:.2f} of our time")
+    return lines or ["None in this run."]
+
+
+def sweeps(groups):
+    lines = heading("step", "vertices", "tool", "sweeps")
+    for (step, vertices), tools in groups.items():
+        for tool, figures in tools.items():
+            if figures["sweeps"] is not None:
+                lines.append(row([step, vertices, tool, int(figures["sweeps"])]))
+    return lines
+
+
+def circumstances(run, groups):
+    standard = {"date", "executable", "num_cpus", "mhz_per_cpu", "cpu_scaling_enabled", "caches",
+                "load_avg", "library_build_type", "aslr_enabled"}
+    facts = [f"- {k}: {v}" for k, v in run["context"].items() if k not in standard]
+    single = [f for tools in groups.values() for t, f in tools.items() if "all cores" not in t]
+    share = sum(sum(f["processor"]) for f in single) / sum(sum(f["wall"]) for f in single)
+    facts.append(f"- load average at the start: {run['context']['load_avg']}")
+    facts.append(f"- single-threaded rows had {share:.0%} of a core" +
+                 (": the machine was busy with other work, trust processor times more"
+                  if share < BUSY else ""))
+    return [f"Run of {run['context']['date']}.", "", *facts]
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    run = load(sys.argv[1])
+    groups = gather(run)
+    wrong = any(f["wrong"] for tools in groups.values() for f in tools.values())
+    print("\n".join([
+        "# Surpass beside others", "",
+        *circumstances(run, groups), "",
+        "Times are medians with (least..most); a ratio above 1 is how many times longer the other "
+        "takes. Differences and errors are relative to the largest side of the bounding box.", "",
+        *comparison(groups), "",
+        "## Against the machine", "", *anchors(groups), "",
+        "## Sweeps to the tolerance", "", *sweeps(groups), "",
+        "## Where another was faster", "", *lost(groups), "",
+        "## What is counted", "", *counted(groups), "",
+        "**Some results were wrong.**" if wrong else
+        "Every result was compared with what all must reach, and agreed.",
+    ]))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,114 @@
+// Files are written here and not by the library, so that its writers cannot please its readers.
+#include "workload.hpp"
+
+#include <surpass/interpolate.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace surpass::bench {
+namespace {
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
+}
+
+std::string obj_text(const Mesh& mesh) {
+  std::string text;
+  auto out = std::back_inserter(text);
+  for (const Point& p : mesh.points) fmt::format_to(out, "v {} {} {}\n", p[0], p[1], p[2]);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    fmt::format_to(out, "f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
+  }
+  return text;
+}
+
+// Little-endian doubles, as this machine holds them.
+std::string ply_bytes(const Mesh& mesh) {
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
+      "property double y\nproperty double z\nelement face {}\n"
+      "property list uchar int vertex_indices\nend_header\n",
+      mesh.points.size(), mesh.face_count());
+  const auto append = [&](const auto* values, std::size_t count) {
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof *values);
+  };
+  append(mesh.points.data(), mesh.points.size());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    bytes.push_back(3);
+    append(mesh.face(f).data(), 3);
+  }
+  return bytes;
+}
+
+double largest_side(std::span<const Point> points) {
+  Point low = points.front();
+  Point high = low;
+  for (const Point& p : points) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+}
+
+}  // namespace
+
+Workload::Workload(Index side, const std::filesystem::path& folder)
+    : mesh_(generate_torus(side, side, Order::mild)),
+      box_side_(largest_side(mesh_.points)),
+      obj_((folder / fmt::format("torus{}.obj", side)).string()),
+      ply_((folder / fmt::format("torus{}.ply", side)).string()),
+      limit_matrix_(limit_matrix(mesh_)),
+      limits_(as_points(limit_matrix_ * as_rows(mesh_.points))) {
+  std::filesystem::create_directories(folder);
+  write(obj_, obj_text(mesh_));
+  write(ply_, ply_bytes(mesh_));
+}
+
+Workload::~Workload() {
+  std::remove(obj_.c_str());
+  std::remove(ply_.c_str());
+}
+
+double Workload::difference(std::span<const Point> a, std::span<const Point> b) const {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1], a[i][2] - b[i][2]);
+    if (!(d <= largest)) largest = d;  // a NaN stays
+  }
+  return largest / box_side_;
+}
+
+double Workload::interpolation_error(std::span<const Point> control) const {
+  return difference(as_points(limit_matrix_ * as_rows(control)), mesh_.points);
+}
+
+const std::vector<Point>& Workload::control() const {
+  if (control_.empty()) {
+    auto solved = interpolate(mesh_, {.tolerance = 1e-14});
+    if (!solved) throw std::runtime_error(describe(solved.error()));
+    control_ = std::move(solved->control.points);
+  }
+  return control_;
+}
+
+const Workload& Workloads::operator[](Index side) {
+  auto& workload = made_[side];
+  if (!workload) workload = std::make_unique<Workload>(side, folder_);
+  return *workload;
+}
+
+}  // namespace surpass::bench
