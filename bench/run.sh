@@ -12,6 +12,6 @@ export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 mkdir -p bench/results
 status=0
 ./build/bench/surpass_bench --benchmark_out=bench/results/figures.json \
-  --benchmark_out_format=json "$@" >&2 || status=$?
+  --benchmark_out_format=json --benchmark_display_aggregates_only=true "$@" >&2 || status=$?
 python3 bench/table.py bench/results/figures.json | tee bench/results/table.md
 exit $status
