@@ -44,6 +44,11 @@ struct InterpolateOptions {
   std::vector<Index> only = {};
 };
 
+/// The tolerance as applied to these numbers: at least 4 units in the last place of the largest,
+/// relative to `unit` (the box side, or a channel's range). No double can keep less.
+[[nodiscard]] double floored_tolerance(double tolerance, std::span<const double> values,
+                                       double unit);
+
 /// Errors are distances relative to the box side.
 struct Iteration {
   unsigned iteration = 0;  ///< evaluations of the limit so far in this block

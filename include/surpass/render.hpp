@@ -5,7 +5,6 @@
 #include <surpass/mesh.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,29 +18,40 @@ struct Image {
 };
 
 struct RenderOptions {
-  int width = 1024;
-  int height = 768;
-  int samples = 9;                 ///< rays a pixel; rounded up to a square
-  double azimuth = 30;             ///< camera, degrees around the up axis
-  double elevation = 20;           ///< camera, degrees above the horizon
-  char up = 'y';                   ///< 'x', 'y' or 'z'
-  bool smooth = true;              ///< shade with vertex normals (channel "normal", else averaged)
-  bool edges = false;              ///< draw the edges of the mesh
+  int width = 1024;       ///< pixels, 1 to 16384
+  int height = 768;       ///< pixels, 1 to 16384
+  int samples = 9;        ///< rays a pixel, 1 to 1024; rounded up to a square
+  double azimuth = 30;    ///< camera, degrees around the up axis; 0 looks from the scene's front
+  double elevation = 20;  ///< camera, degrees above the horizon
+  char up = 'y';          ///< 'y' with +z in front, 'z' with -y in front, or 'x' with +y in front
+  bool smooth = true;     ///< false: flat facets
+  double crease_angle = 45;  ///< degrees; edges that turn by more stay sharp although `smooth`
+  bool edges = false;        ///< draw the edges of the mesh's polygons as fine lines
   std::vector<Point> points = {};  ///< drawn as small balls, hidden where the surface covers them
-  double point_radius = 0;  ///< relative to the box side; 0 chooses from the number of points
-  std::optional<std::array<Point, 2>> frame =
-      {};  ///< low and high of the box to fit; default: the mesh's
+  double point_radius = 0;        ///< relative to the box side; 0 chooses from the number of points
+  std::vector<Point> frame = {};  ///< what to fit into the picture; empty: the mesh and `points`
 };
 
-/// The mesh on a plain light background, fitted to the picture. Deterministic for any number of
-/// threads. Errors: no faces, a size out of 1..16384.
+/// The mesh on a plain light background, seen in perspective and fitted into the picture with a
+/// small border. Two pictures with the same `frame`, size and camera share a view.
+///
+/// Fronts of faces (counterclockwise) are warm, backs cool. Smooth shading takes the vertex channel
+/// "normal", else face normals averaged by angle and, then, parted at edges above `crease_angle`;
+/// creases (sharpness above 0) always stay sharp. Meshes that are no oriented manifold are drawn
+/// with flat facets. Hole faces are not drawn. "Box side" in `point_radius` is that of what is
+/// fitted. The same bits for any number of threads.
+///
+/// Errors: `invalid_argument` for an option out of its range, `empty_mesh` for no faces to draw,
+/// `not_finite` and `index_out_of_range` with the vertex or face, `degenerate_face` for faces of
+/// fewer than three corners, `cancelled`.
 [[nodiscard]] Result<Image> render(const Mesh& mesh, const RenderOptions& options = {},
                                    const Context& context = {});
 
-/// Pictures of equal height side by side.
+/// Pictures of equal height side by side, from left to right. Errors (`invalid_argument`): none, of
+/// different heights, or with a number of bytes that does not fit their size.
 [[nodiscard]] Result<Image> beside(const std::vector<Image>& images);
 
-/// The PNG file's bytes.
+/// The PNG file's bytes. Errors: `invalid_argument` for an image whose bytes do not fit its size.
 [[nodiscard]] Result<std::string> encode_png(const Image& image);
 
 }  // namespace surpass

@@ -28,12 +28,14 @@ class Topology {
   // Half-edges.
   [[nodiscard]] Index tail(Index h) const { return face_vertices_[h]; }
   [[nodiscard]] Index head(Index h) const { return face_vertices_[next(h)]; }
-  [[nodiscard]] Index face(Index h) const { return face_size_ != 0 ? h / face_size_ : face_of_[h]; }
+  [[nodiscard]] Index face(Index h) const { return all_triangles_ ? h / 3 : face_of_[h]; }
   [[nodiscard]] Index next(Index h) const {
+    if (all_triangles_) return h % 3 == 2 ? h - 2 : h + 1;
     const Index f = face(h);
     return h + 1 == face_offsets_[f + 1] ? face_offsets_[f] : h + 1;
   }
   [[nodiscard]] Index previous(Index h) const {
+    if (all_triangles_) return h % 3 == 0 ? h + 2 : h - 1;
     const Index f = face(h);
     return h == face_offsets_[f] ? face_offsets_[f + 1] - 1 : h - 1;
   }
@@ -123,8 +125,8 @@ class Topology {
 
   std::vector<Index> face_offsets_;
   std::vector<Index> face_vertices_;
-  Index face_size_ = 0;  // of every face, or 0 where they differ
-  std::vector<Index> face_of_;
+  bool all_triangles_ = false;
+  std::vector<Index> face_of_;  // empty for triangles, where dividing is faster than looking up
   std::vector<Index> opposite_;
   std::vector<Index> edge_;
   std::vector<Index> edge_halfedge_;

@@ -71,14 +71,6 @@ Iteration initial_error(const LimitOperator& op, const Blocks& blocks, const Tas
   return combine(outcomes[0], outcomes[1], blocks);
 }
 
-// Tolerances below a few units in the last place of the data cannot be kept by any double.
-double floored(double tolerance, std::span<const double> values, double unit) {
-  double largest = 0;
-  for (const double v : values) largest = std::max(largest, std::abs(v));
-  const double ulp = std::nextafter(largest, HUGE_VAL) - largest;
-  return std::max(tolerance, 4 * ulp / unit);
-}
-
 Result<void> require_finite(std::span<const double> values, std::size_t width, const char* what) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) continue;
@@ -204,7 +196,7 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   Solution solution{{points.begin(), points.end()}, {}, {}};
   SolveReport& report = solution.report;
   report.box_side = box.side();
-  report.tolerance = floored(impl_->options.tolerance, target, *unit);
+  report.tolerance = floored_tolerance(impl_->options.tolerance, target, *unit);
   const Task task{target, 3, *unit, report.tolerance, flat(std::span(solution.points))};
   report.initial = initial_error(impl_->op, impl_->blocks, task, context);
   auto solved = solve_task(*impl_, task, context, report.notes);
@@ -227,7 +219,8 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
     Channel& result = solution.channels.emplace_back(channel);
     const double range = range_of(channel.values);
     const Task carried{channel.values, channel.width(), range,
-                       floored(impl_->options.tolerance, channel.values, range), result.values};
+                       floored_tolerance(impl_->options.tolerance, channel.values, range),
+                       result.values};
     const auto done = solve_task(*impl_, carried, context, report.notes);
     if (!done) return tl::make_unexpected(done.error());
     if (done->curve.converged && done->surface.converged) continue;
@@ -247,7 +240,7 @@ Result<Prediction> Interpolator::predict(std::span<const Point> points) const {
   const auto unit = unit_of(bounding_box(points));
   if (!unit) return tl::make_unexpected(unit.error());
   std::vector<Point> x(points.begin(), points.end());
-  const double tolerance = floored(options.tolerance, flat(points), *unit);
+  const double tolerance = floored_tolerance(options.tolerance, flat(points), *unit);
   const Task task{flat(points), 3, *unit, tolerance, flat(std::span(x))};
   const Context silent;
   const auto sweeps = [&](const Block& block) {
@@ -265,6 +258,13 @@ Result<Prediction> Interpolator::predict(std::span<const Point> points) const {
   if (!curve) return tl::make_unexpected(curve.error());
   prediction.sweeps = sweeps(impl_->blocks.surface);
   return prediction;
+}
+
+double floored_tolerance(double tolerance, std::span<const double> values, double unit) {
+  double largest = 0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  const double ulp = std::nextafter(largest, HUGE_VAL) - largest;
+  return std::max(tolerance, 4 * ulp / unit);
 }
 
 Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& options,

@@ -182,10 +182,12 @@ bool ObjReader::read_face() {
     mesh_.face_vertices.push_back(vertex);
     if (scan_.peek() == '/' && !read_corner_references()) return false;
     if (!scan_.ends_word(scan_.at())) {
+      const char* place = scan_.at();
       return scan_.fail(ErrorCode::syntax,
                         fmt::format("expected a blank before {}; corners are written v, v/vt, "
                                     "v//vn or v/vt/vn",
-                                    quoted(scan_.word())));
+                                    quoted(scan_.word())),
+                        place);
     }
   }
   if (mesh_.face_offsets.back() == mesh_.face_vertices.size()) {
@@ -234,6 +236,12 @@ bool ObjReader::read_index(Numbered& numbered, Index& index) {
                           ? fmt::format("OBJ counts from 1; there is no {} 0", numbered.name)
                           : fmt::format("{} -{} is asked for, but only {} came before this line",
                                         numbered.name, number, numbered.count),
+                      start);
+  }
+  if (number >= kNone) {
+    return scan_.fail(ErrorCode::index_out_of_range,
+                      fmt::format("there cannot be so many: {} {}", numbered.name,
+                                  quoted({start, static_cast<std::size_t>(scan_.at() - start)})),
                       start);
   }
   number = relative ? numbered.count - number : number - 1;
@@ -300,8 +308,9 @@ bool ObjReader::finish() {
                       "kind of file?",
                       first_skipped_);
   }
-  if (!check(vertices_) || !check(faces_) || !check(texture_.rows) || !check(normal_.rows)) {
-    return false;
+  if (!check(vertices_) || !check(faces_)) return false;
+  for (const CornerTable* table : {&texture_, &normal_}) {  // a file without any is read without
+    if (table->rows.count != 0 && !check(table->rows)) return false;
   }
   std::sort(mesh_.hole_faces.begin(), mesh_.hole_faces.end());
   mesh_.hole_faces.erase(std::unique(mesh_.hole_faces.begin(), mesh_.hole_faces.end()),
@@ -317,7 +326,13 @@ bool ObjReader::finish() {
 }
 
 void ObjReader::finish_corners(CornerTable& table, const char* name) {
-  if (table.rows.count == 0) return;
+  if (table.rows.count == 0) {
+    if (table.rows.needed != 0) {
+      out_.notices.push_back(fmt::format(
+          "faces name {0}s, but the file has none; the {0}s are left out", table.rows.name));
+    }
+    return;
+  }
   table.indices.resize(mesh_.face_vertices.size(), kNone);
   mesh_.corner_channels.push_back(
       {name, table.width, std::move(table.values), std::move(table.indices)});

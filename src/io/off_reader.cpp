@@ -243,6 +243,7 @@ bool OffReader::read_index(Index& index) {
 }
 
 bool OffReader::read_face_colour() {
+  scan_.skip_blanks();
   const char* start = scan_.at();
   double colour[4] = {};
   std::size_t count = 0;

@@ -20,13 +20,23 @@ class PlyText {
   static constexpr bool kBinary = false;
   explicit PlyText(Scanner& scan) : scan_(scan) {}
 
-  [[nodiscard]] const char* at() const { return scan_.at(); }
+  /// Where the next value begins.
+  [[nodiscard]] const char* at() {
+    scan_.skip_blanks();
+    return scan_.at();
+  }
   /// The least number of bytes that a value takes, a blank or line end included.
   [[nodiscard]] static std::uint64_t least_size(Storage) { return 2; }
   /// Bytes that are left for values; the last one needs no blank behind it.
   [[nodiscard]] std::uint64_t left() const { return std::uint64_t{scan_.left()} + 1; }
   void begin_row() { scan_.skip_space(); }
-  [[nodiscard]] bool end_row() { return scan_.end_line(); }
+  [[nodiscard]] bool end_row() {
+    if (scan_.at_line_end()) return scan_.end_line();
+    return fail(ErrorCode::syntax,
+                "the line holds more values than the header announces; correct the header or the "
+                "line",
+                scan_.at());
+  }
   [[nodiscard]] bool value(Storage type, const std::string& name, double& value) {
     scan_.skip_blanks();
     const char* place = scan_.at();

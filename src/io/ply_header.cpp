@@ -10,7 +10,8 @@ namespace {
 
 bool next_word(Scanner& scan, std::string_view& word, const char* what) {
   if (scan.at_line_end()) {
-    return scan.fail(ErrorCode::syntax, fmt::format("the line ends before {}", what));
+    return scan.fail(ErrorCode::syntax,
+                     fmt::format("the line ends before {}; a word is missing", what));
   }
   word = scan.word();
   return true;
@@ -148,9 +149,10 @@ const PlyElement* PlyHeader::find(std::string_view element) const {
 }
 
 bool read_ply_header(Scanner& scan, PlyHeader& header, Mesh& mesh) {
+  const char* start = scan.at();
   if (scan.word() != "ply") {
     return scan.fail(ErrorCode::syntax, "a PLY file begins with a line 'ply', this one does not",
-                     scan.at());
+                     start);
   }
   if (!scan.end_line()) return false;
   bool ended = false;

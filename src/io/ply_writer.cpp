@@ -35,14 +35,15 @@ class Row {
       return;
     }
     if (out_.back() != '\n') out_ += ' ';
-    if constexpr (std::is_integral_v<T>) {
-      append_number(out_, static_cast<std::int64_t>(value));
-    } else {  // a float's value as a double's digits, so that no reader rounds it again
-      append_number(out_, static_cast<double>(value));
-    }
+    append_number(out_, value);
   }
+  // As text, a float's value has a double's digits, so that no reader rounds it again.
   void add(Storage type, double value) {
-    with_type(type, [&](auto zero) { add(static_cast<decltype(zero)>(value)); });
+    if (text_) {
+      add(type == Storage::float32 ? rounded_to_float(value) : value);
+    } else {
+      with_type(type, [&](auto zero) { add(static_cast<decltype(zero)>(value)); });
+    }
   }
   void end() {
     if (text_) out_ += '\n';
@@ -138,7 +139,9 @@ void PlyWriter::choose_vertex_columns() {
   for (std::size_t k = 0; k < 3; ++k) {
     vertex_columns_.push_back({kAxes[k], type, positions.empty() ? nullptr : &positions[k], 3});
   }
-  if (!mesh_.corners.empty()) {
+  const bool sharp = std::any_of(mesh_.corners.begin(), mesh_.corners.end(),
+                                 [](const Corner& corner) { return corner.sharpness > 0; });
+  if (sharp) {
     sharpness_.resize(mesh_.points.size());
     for (const Corner& corner : mesh_.corners) {
       sharpness_[corner.vertex] = static_cast<double>(corner.sharpness);
@@ -157,15 +160,17 @@ void PlyWriter::choose_face_columns() {
   for (const FaceChannel& channel : mesh_.face_channels) add_channel(channel, face_columns_);
 }
 
-// A face has texture coordinates at all of its corners or at none.
+// Some faces have texture coordinates, at all of their corners.
 bool covers_whole_faces(const Mesh& mesh, const CornerChannel& channel) {
+  bool any = false;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Index* first = channel.indices.data() + mesh.face_offsets[f];
     const Index* last = channel.indices.data() + mesh.face_offsets[f + 1];
     const auto missing = std::count(first, last, kNone);
     if (missing != 0 && missing != last - first) return false;
+    any = any || missing == 0;
   }
-  return true;
+  return any;
 }
 
 void PlyWriter::choose_texture() {
@@ -257,7 +262,7 @@ void PlyWriter::write_edges() {
   for (const Crease& crease : mesh_.creases) {
     row.add(crease.vertices[0]);
     row.add(crease.vertices[1]);
-    row.add(crease.sharpness);
+    row.add(Storage::float32, static_cast<double>(crease.sharpness));
     row.end();
   }
 }

@@ -55,8 +55,10 @@ void Scanner::skip_statement() {
 
 bool Scanner::end_line() {
   if (!at_line_end()) {
+    const char* start = at_;
     return fail(ErrorCode::syntax,
-                fmt::format("{} is more than this line may hold; remove it", quoted(word())));
+                fmt::format("{} is more than this line may hold; remove it", quoted(word())),
+                start);
   }
   skip_line();
   return true;
@@ -113,7 +115,8 @@ bool Scanner::refuse_number(const char* what) {
   const char* start = at_;
   if (done()) return fail(ErrorCode::unexpected_end, fmt::format("the file ends before {}", what));
   if (at_line_end()) {
-    return fail(ErrorCode::syntax, fmt::format("the line ends before {}", what), start);
+    return fail(ErrorCode::syntax,
+                fmt::format("the line ends before {}; a number is missing", what), start);
   }
   at_ = start;
   const std::string_view found = word();

@@ -65,9 +65,9 @@ void append_facet(const Mesh& mesh, Index f, std::string& out) {
   out += "facet normal";
   for (const float x : normal_of(mesh, f)) append_spaced(out, x);
   out += "\nouter loop\n";
-  for (const auto& corner : triangle_of(mesh, f)) {
+  for (const Index v : mesh.face(f)) {
     out += "vertex";
-    for (const float x : corner) append_spaced(out, static_cast<double>(x));
+    for (const double x : mesh.points[v]) append_spaced(out, rounded_to_float(x));
     out += '\n';
   }
   out += "endloop\nendfacet\n";

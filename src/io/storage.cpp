@@ -23,9 +23,11 @@ constexpr TypeName kTypes[] = {
 
 template <class T>
 bool fits_in(double value) {
-  if constexpr (std::is_floating_point_v<T>) {
+  if constexpr (std::is_same_v<T, double>) {
+    return true;
+  } else if constexpr (std::is_same_v<T, float>) {
     const bool in_range = std::abs(value) <= static_cast<double>(std::numeric_limits<T>::max());
-    return in_range && static_cast<double>(static_cast<T>(value)) == value;
+    return in_range && rounded_to_float(value) == value;
   } else {
     return value >= static_cast<double>(std::numeric_limits<T>::min()) &&
            value <= static_cast<double>(std::numeric_limits<T>::max()) &&
@@ -52,6 +54,8 @@ std::optional<Storage> storage_named(std::string_view name) {
   }
   return std::nullopt;
 }
+
+double rounded_to_float(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 bool fits(std::span<const double> values, Storage type) {
   return with_type(type, [values](auto zero) {

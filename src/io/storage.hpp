@@ -47,6 +47,10 @@ decltype(auto) with_type(Storage type, Use&& use) {
   return use(double{});
 }
 
+/// The nearest float's value. Not inlined, because GCC 12.2 drops a conversion to float and back
+/// where it vectorises the pair.
+[[gnu::noinline]] [[nodiscard]] double rounded_to_float(double value);
+
 /// True if every value survives conversion to the type and back, the sign of zero included.
 [[nodiscard]] bool fits(std::span<const double> values, Storage type);
 

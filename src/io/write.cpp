@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "io/storage.hpp"
 #include "io/writers.hpp"
 
 namespace surpass {
@@ -153,7 +154,7 @@ std::vector<Point> stored_positions(std::span<const Point> points, Format format
   const bool rounded = format == Format::stl || (format == Format::ply && single_precision);
   if (!rounded) return stored;
   for (Point& point : stored) {
-    for (double& x : point) x = static_cast<double>(static_cast<float>(x));
+    for (double& x : point) x = io::rounded_to_float(x);
   }
   return stored;
 }

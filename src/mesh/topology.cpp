@@ -3,9 +3,11 @@
 #include <surpass/topology.hpp>
 
 #include <algorithm>
-#include <numeric>
 
-#include <fmt/format.h>
+#include "mesh/corner_faces.hpp"
+#include "mesh/disjoint_sets.hpp"
+#include "mesh/edge_buckets.hpp"
+#include "mesh/refusals.hpp"
 
 namespace surpass {
 namespace {
@@ -13,40 +15,13 @@ namespace {
 // Above this many entries a bucket is sorted rather than searched: a vertex can have any valence.
 constexpr std::size_t kSearchedBucket = 32;
 
-// A half-edge in the bucket of its smaller vertex: larger vertex, number, and direction.
-struct Entry {
-  Index larger;
-  Index halfedge_and_direction;  // number * 2 + (1 if it runs from the larger vertex)
-  [[nodiscard]] Index halfedge() const { return halfedge_and_direction >> 1; }
-  [[nodiscard]] bool reversed() const { return (halfedge_and_direction & 1) != 0; }
-};
-
 Result<void> check_faces(const Mesh& mesh) {
-  constexpr Index kMost = kNone / 2;  // half-edge numbers keep a bit for the direction
-  if (mesh.face_vertices.size() > kMost || mesh.points.size() > kMost) {
-    return fail(ErrorCode::too_large,
-                fmt::format("at most {} vertices and face corners can be held", kMost));
+  if (mesh.face_vertices.size() > kMostCorners || mesh.points.size() > kMostCorners) {
+    return tl::make_unexpected(refusal::too_large());
   }
-  std::vector<Index> last_face(mesh.points.size(), kNone);
+  refusal::FaceCheck check(mesh);
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    if (face.size() < 3) {
-      return fail(ErrorCode::degenerate_face,
-                  fmt::format("a face needs at least 3 vertices, this one has {}", face.size()),
-                  {.face = f});
-    }
-    for (const Index v : face) {
-      if (v >= mesh.points.size()) {
-        return fail(ErrorCode::index_out_of_range,
-                    fmt::format("a face names vertex {}, but there are {}", v, mesh.points.size()),
-                    {.face = f});
-      }
-      if (last_face[v] == f) {
-        return fail(ErrorCode::repeated_vertex, "a face names the same vertex twice",
-                    {.vertex = v, .face = f});
-      }
-      last_face[v] = f;
-    }
+    if (auto error = check(f)) return tl::make_unexpected(*std::move(error));
   }
   return {};
 }
@@ -60,81 +35,46 @@ Result<Topology> Topology::build(const Mesh& mesh) {
   t.face_vertices_ = mesh.face_vertices;
   t.outgoing_.assign(mesh.points.size(), kNone);
   t.flags_.assign(mesh.points.size(), 0);
-  if (mesh.face_count() > 0) {
-    t.face_size_ = mesh.face_offsets[1];
-    for (Index f = 1; f < mesh.face_count() && t.face_size_ != 0; ++f) {
-      if (mesh.face_offsets[f + 1] - mesh.face_offsets[f] != t.face_size_) t.face_size_ = 0;
-    }
-  }
-  if (t.face_size_ == 0) {
-    t.face_of_.resize(mesh.face_vertices.size());
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-      for (Index h = mesh.face_offsets[f]; h < mesh.face_offsets[f + 1]; ++h) t.face_of_[h] = f;
-    }
-  }
+  t.all_triangles_ = all_triangles(mesh);
+  if (!t.all_triangles_) t.face_of_ = corner_faces(mesh);
   if (auto matched = t.match_halfedges(); !matched) return tl::make_unexpected(matched.error());
   t.find_fans();
   return t;
 }
 
 Result<void> Topology::match_halfedges() {
-  const Index n = vertex_count();
   const Index corners = corner_count();
-  // Bucket v starts at start[v + 1] while filling, and at start[v] once every entry is in place.
-  std::vector<Index> start(static_cast<std::size_t>(n) + 2, 0);
-  const auto for_each_halfedge = [&](auto&& visit) {
-    for (Index f = 0; f < face_count(); ++f) {
-      const Index end = face_offsets_[f + 1];
-      Index a = face_vertices_[end - 1];
-      Index h = end - 1;
-      for (Index k = face_offsets_[f]; k < end; ++k) {
-        const Index b = face_vertices_[k];
-        visit(h, a, b);
-        a = b;
-        h = k;
-      }
-    }
-  };
-  for_each_halfedge([&](Index, Index a, Index b) { ++start[std::min(a, b) + 2]; });
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Entry> entries(corners);
-  for_each_halfedge([&](Index h, Index a, Index b) {
-    entries[start[std::min(a, b) + 1]++] = {std::max(a, b), h * 2 + (a > b ? 1U : 0U)};
-  });
-
+  EdgeBuckets buckets(vertex_count(), face_offsets_, face_vertices_);
   opposite_.assign(corners, kNone);
   edge_.assign(corners, kNone);
-  edge_halfedge_.clear();
   edge_halfedge_.reserve(corners / 2 + corners / 16 + 4);
-  for (Index v = 0; v < n; ++v) {
-    const auto begin = entries.begin() + start[v];
-    const auto end = entries.begin() + start[v + 1];
-    if (static_cast<std::size_t>(end - begin) > kSearchedBucket) {
-      std::sort(begin, end, [](const Entry& p, const Entry& q) {
-        return std::pair(p.larger, p.halfedge_and_direction) <
-               std::pair(q.larger, q.halfedge_and_direction);
-      });
-    }
-    const bool sorted = static_cast<std::size_t>(end - begin) > kSearchedBucket;
-    for (auto i = begin; i != end; ++i) {
-      if (edge_[i->halfedge()] != kNone) continue;  // matched from its partner
-      const auto same = [&](const Entry& e) { return e.larger == i->larger; };
-      const auto partner =
-          sorted ? (i + 1 != end && same(i[1]) ? i + 1 : end) : std::find_if(i + 1, end, same);
+  for (Index v = 0; v < vertex_count(); ++v) {
+    const auto bucket = buckets[v];
+    const bool sorted = bucket.size() > kSearchedBucket;
+    if (sorted) EdgeBuckets::sort(bucket);
+    const auto next_of_edge = [&](auto from, Index larger) {
+      if (sorted) return from != bucket.end() && from->larger == larger ? from : bucket.end();
+      return std::find_if(from, bucket.end(),
+                          [larger](const BucketEntry& e) { return e.larger == larger; });
+    };
+    for (auto i = bucket.begin(); i != bucket.end(); ++i) {
+      if (i->larger == kNone) continue;  // matched from its partner
       const Index e = edge_count();
       edge_halfedge_.push_back(i->halfedge());
       edge_[i->halfedge()] = e;
-      if (partner == end) {
+      const auto partner = next_of_edge(i + 1, i->larger);
+      if (partner == bucket.end()) {
         ++boundary_edges_;
         continue;
+      }
+      if (i->reversed() == partner->reversed() ||
+          next_of_edge(partner + 1, i->larger) != bucket.end()) {
+        return explain_conflict(v, i->larger);
       }
       edge_[partner->halfedge()] = e;
       opposite_[i->halfedge()] = partner->halfedge();
       opposite_[partner->halfedge()] = i->halfedge();
-      const auto third = sorted ? (partner + 1 != end && same(partner[1]) ? partner + 1 : end)
-                                : std::find_if(partner + 1, end, same);
-      if (i->reversed() == partner->reversed() || third != end)
-        return explain_conflict(v, i->larger);
+      partner->larger = kNone;
     }
   }
   return {};
@@ -154,15 +94,8 @@ Result<void> Topology::explain_conflict(Index a, Index b) const {
       }
     }
   }
-  const Place place{.face = first, .edge = std::array{a, b}};
-  if (faces > 2) {
-    return fail(ErrorCode::non_manifold_edge,
-                fmt::format("an edge has {} faces; at most 2 can meet at one", faces), place);
-  }
-  return fail(
-      ErrorCode::inconsistent_orientation,
-      "the two faces at an edge run along it in the same direction: one of them is inside out",
-      place);
+  return tl::make_unexpected(faces > 2 ? refusal::non_manifold_edge(first, {a, b}, faces)
+                                       : refusal::inconsistent_orientation(first, {a, b}));
 }
 
 // Chooses a start for every fan: the first spoke of an open fan, else the smallest half-edge.
@@ -233,16 +166,11 @@ Index Topology::find_edge(Index a, Index b) const {
 }
 
 Components find_components(const Topology& topology) {
-  std::vector<Index> parent(topology.vertex_count());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets sets(topology.vertex_count());
   for (Index f = 0; f < topology.face_count(); ++f) {
-    const Index a = root(topology.tail(topology.face_begin(f)));
+    const Index first = topology.tail(topology.face_begin(f));
     for (Index h = topology.face_begin(f) + 1; h < topology.face_end(f); ++h) {
-      parent[root(topology.tail(h))] = a;
+      sets.unite(first, topology.tail(h));
     }
   }
   Components components;
@@ -250,7 +178,7 @@ Components find_components(const Topology& topology) {
   std::vector<Index> number(topology.vertex_count(), kNone);
   for (Index v = 0; v < topology.vertex_count(); ++v) {
     if (topology.is_isolated(v)) continue;
-    Index& n = number[root(v)];
+    Index& n = number[sets.find(v)];
     if (n == kNone) n = components.count++;
     components.of_vertex[v] = n;
   }

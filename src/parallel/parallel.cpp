@@ -2,8 +2,11 @@
 
 #if defined(SURPASS_THREADS_TBB)
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <optional>
 #elif defined(SURPASS_THREADS_STD)
 #include <atomic>
 #include <thread>
@@ -18,6 +21,11 @@ int thread_count(const Context& context) {
 }
 
 static void run_on_threads(int threads, std::size_t chunks, ChunkTask task) {
+  // More threads than cores are only granted, and not complained about, while such a control lives.
+  std::optional<tbb::global_control> more;
+  if (threads > tbb::info::default_concurrency()) {
+    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) { task.call(task.body, c); });

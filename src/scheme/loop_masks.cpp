@@ -125,6 +125,10 @@ bool LoopRing::is_hoppe_curve() const {
   return boundary == Boundary::hoppe && open && rule() == VertexRule::crease;
 }
 
+bool LoopRing::is_settled() const {
+  return !is_semi_sharp() && (!is_hoppe_curve() || (end_regular[0] && end_regular[1]));
+}
+
 LoopRing LoopRing::child() const {
   LoopRing ring = *this;
   static_cast<Ring&>(ring) = Ring::child();
@@ -180,7 +184,7 @@ SettledRing settle(const LoopRing& ring) {
   const std::size_t n = ring.size();
   SettledRing settled{ring, std::vector(n + 1, Mask(n + 1, 0.0))};
   for (std::size_t i = 0; i <= n; ++i) settled.weights[i][i] = 1;
-  while (settled.ring.is_semi_sharp()) {
+  while (!settled.ring.is_settled()) {
     std::vector<Mask> next;
     next.reserve(n + 1);
     next.push_back(compose(vertex_mask(settled.ring), settled.weights));

@@ -27,6 +27,9 @@ struct LoopRing : Ring {
 
   /// On the boundary curve under `hoppe`, with no crease coming in.
   [[nodiscard]] bool is_hoppe_curve() const;
+  /// Refinement changes nothing any more: no sharpness fades, and on a curve under `hoppe` both
+  /// neighbours are regular.
+  [[nodiscard]] bool is_settled() const;
   [[nodiscard]] LoopRing child() const;
   static LoopRing around(const Topology& topology, const Sharpness& sharpness, Boundary boundary,
                          Index v);
@@ -50,12 +53,11 @@ struct LoopRing : Ring {
 struct Tangents {
   std::vector<double> first;
   std::vector<double> second;
-  std::size_t begin = 0;  ///< first spoke of the sector
-  std::size_t faces = 0;  ///< faces in the sector
 };
+/// The ring must be settled.
 [[nodiscard]] std::vector<Tangents> tangent_masks(const LoopRing& ring);
 
-/// Follows a semi-sharp ring through refinement until every sharpness is 0 or infinite.
+/// Follows a ring through refinement until it is settled.
 /// `weights`: row i, in the order center, spokes, holds the mask of the ring's i-th final point.
 struct SettledRing {
   LoopRing ring;

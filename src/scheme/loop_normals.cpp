@@ -23,25 +23,12 @@ Vector evaluate(const std::vector<double>& mask, const std::vector<Vector>& poin
   return sum;
 }
 
-// The side that a sector's own faces turn to: it settles the sign where an angle passes 180
-// degrees.
-Vector facing(const Tangents& sector, const std::vector<Vector>& points) {
-  const std::size_t n = points.size() - 1;
-  Vector sum = Vector::Zero();
-  for (std::size_t j = 0; j < sector.faces; ++j) {
-    const Vector& a = points[1 + (sector.begin + j) % n];
-    const Vector& b = points[1 + (sector.begin + j + 1) % n];
-    sum += (a - points[0]).cross(b - points[0]);
-  }
-  return sum;
-}
-
 Vector normal_at(const Mesh& mesh, const LoopRing& given) {
   std::vector<Vector> points = {position(mesh, given.center)};
   for (const Index w : given.spokes) points.push_back(position(mesh, w));
   const LoopRing* ring = &given;
   SettledRing settled;
-  if (given.is_semi_sharp()) {
+  if (!given.is_settled()) {
     settled = settle(given);
     std::vector<Vector> moved;
     for (const auto& mask : settled.weights) moved.push_back(evaluate(mask, points));
@@ -49,11 +36,8 @@ Vector normal_at(const Mesh& mesh, const LoopRing& given) {
     ring = &settled.ring;
   }
   Vector sum = Vector::Zero();
-  const bool corner = ring->rule() == VertexRule::corner;
   for (const Tangents& sector : tangent_masks(*ring)) {
-    Vector n = unit(evaluate(sector.first, points).cross(evaluate(sector.second, points)));
-    if (corner && n.dot(facing(sector, points)) < 0) n = -n;
-    sum += n;
+    sum += unit(evaluate(sector.first, points).cross(evaluate(sector.second, points)));
   }
   return unit(sum);
 }

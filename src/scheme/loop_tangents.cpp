@@ -20,7 +20,7 @@ double angle(std::size_t j, std::size_t n) {
 
 Tangents smooth_tangents(const LoopRing& ring) {
   const std::size_t n = ring.size();
-  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0), 0, n};
+  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0)};
   for (std::size_t j = 0; j < n; ++j) {
     t.first[1 + j] = std::cos(angle(j, n));
     t.second[1 + j] = std::sin(angle(j, n));
@@ -78,7 +78,7 @@ Tangents dart_tangents(const LoopRing& ring) {
   const std::size_t n = ring.size();
   const std::size_t end = ring.sharp_spokes().front();
   const Mask even = even_dart_tangent(n);
-  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0), end, n};
+  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0)};
   t.first[0] = even[0];
   for (std::size_t j = 0; j < n; ++j) {
     t.first[1 + (end + j) % n] = even[1 + j];
@@ -94,7 +94,7 @@ Tangents curve_tangents(const LoopRing& ring, std::size_t begin, std::size_t fac
   // A point on a sharp spoke keeps this share of the neighbour and takes the rest from the center.
   const double kept = extraordinary ? 5.0 / 8 : 1.0 / 2;
   const auto at = [&](std::size_t j) { return 1 + (begin + j) % n; };
-  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0), begin, faces};
+  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0)};
   t.first[at(0)] = 1;
   t.first[at(faces)] = -1;
   if (faces == 1) {
@@ -124,10 +124,11 @@ Tangents curve_tangents(const LoopRing& ring, std::size_t begin, std::size_t fac
   return t;
 }
 
-// At a fixed vertex the curves leave along their first edges.
+// At a fixed vertex the curves leave along their first edges, and a sector of one or two faces tends
+// to the plane between them.
 Tangents corner_tangents(const LoopRing& ring, std::size_t begin, std::size_t faces) {
   const std::size_t n = ring.size();
-  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0), begin, faces};
+  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0)};
   t.first[1 + begin % n] = 1;
   t.second[1 + (begin + faces) % n] = 1;
   t.first[0] = t.second[0] = -1;
@@ -143,16 +144,26 @@ std::vector<Tangents> tangent_masks(const LoopRing& ring) {
   const std::vector<std::size_t> sharp = ring.sharp_spokes();
   const std::size_t n = ring.size();
   std::vector<Tangents> sectors;
+  const bool corner = rule == VertexRule::corner;
   // Sectors lie between consecutive sharp spokes; an open ring has none behind its last spoke. A
-  // sharp vertex with fewer than two sharp edges is a tip: every face there is its own sector.
+  // sharp vertex with fewer than two sharp edges is a tip, all around.
   const bool tip = sharp.size() < 2;
-  const std::size_t count = tip ? n : sharp.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (ring.open && i + 1 == count) break;
+  for (std::size_t i = 0; i < (tip ? n : sharp.size()); ++i) {
+    const bool last = i + 1 == sharp.size();
+    if (ring.open && last) break;
     const std::size_t begin = tip ? i : sharp[i];
-    const std::size_t faces = tip ? 1 : (sharp[(i + 1) % count] + n - begin - 1) % n + 1;
-    sectors.push_back(rule == VertexRule::crease ? curve_tangents(ring, begin, faces)
-                                                 : corner_tangents(ring, begin, faces));
+    const std::size_t faces = tip ? 1 : (sharp[last ? 0 : i + 1] + n - begin - 1) % n + 1;
+    if (!corner) {
+      sectors.push_back(curve_tangents(ring, begin, faces));
+    } else if (faces <= 2) {
+      sectors.push_back(corner_tangents(ring, begin, faces));
+    } else {
+      // Loop's rules have no tangent plane at a corner of more faces: the mode of the faces inside
+      // fades more slowly than the curves. The planes of the control faces stand in for it.
+      for (std::size_t j = 0; j < faces; ++j) {
+        sectors.push_back(corner_tangents(ring, begin + j, 1));
+      }
+    }
   }
   return sectors;
 }

@@ -1,0 +1,45 @@
+# Everything a newcomer needs. Each target first installs what a bare Debian 12 lacks for it, and
+# only for it (tools/install.sh); when all is there that takes no noticeable time.
+SHELL := /bin/bash
+export JOBS ?= $(shell nproc)
+# A folder of further meshes for `make test` and `make papers`.
+DATA ?= $(wildcard ../shared/data)
+
+.PHONY: help demo build test bench papers format lint clean
+help:  ## print this list
+	@sed -n 's/^\([a-z]*\):.*## /  make \1: /p' $(MAKEFILE_LIST)
+
+demo: need-demo build/release/build.ninja  ## build the command line, interpolate a few meshes, draw them into build/demo
+	@cmake --build build/release --target surpass_app -j $(JOBS)
+	@tools/demo.sh build/release/surpass build/demo
+
+build: need-build build/release/build.ninja  ## build the libraries and the command line: build/release/surpass
+	@cmake --build build/release -j $(JOBS)
+
+test: need-test  ## build and run the everyday tests; DATA=DIR adds a folder of real meshes
+	@cmake --preset release --log-level=WARNING -DSURPASS_TESTS=ON
+	@cmake --build build/release -j $(JOBS)
+	@tools/test.sh build/release "$(DATA)" -LE slow
+
+bench: need-bench  ## time Surpass beside other libraries; figures go to bench/results
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build build/bench -j $(JOBS)
+	@bench/run.sh build/bench bench/results
+
+papers: need-papers  ## repeat the figures of the papers into docs/papers; needs DATA=DIR
+	@tools/papers.sh "$(DATA)"
+
+format: need-format  ## rewrite the sources in the project's format
+	@tools/sources.sh | xargs clang-format -i
+
+lint: need-lint  ## check format and names; every warning is an error
+	@tools/lint.sh
+
+clean:  ## remove everything that was built
+	@rm -rf build
+
+need-%:
+	@tools/install.sh $*
+
+build/release/build.ninja:
+	@cmake --preset release --log-level=WARNING -DSURPASS_TESTS=OFF

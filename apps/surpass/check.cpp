@@ -1,0 +1,122 @@
+// surpass check CONTROL --against GIVEN
+#include "arguments.hpp"
+#include "command.hpp"
+#include "evaluator.hpp"
+#include "mesh_input.hpp"
+#include "mesh_output.hpp"
+#include "rules_option.hpp"
+#include "solver_options.hpp"
+
+namespace surpass::cli {
+
+namespace {
+
+class Check : public Command {
+ public:
+  void define(CLI::App& app) override {
+    app.add_option("CONTROL", control_path_, "The control mesh; '-' is the standard input")
+        ->required();
+    app.add_option("--against", given_path_,
+                   "The mesh whose vertices its limit surface shall pass through, vertex i at "
+                   "vertex i; '-' is the standard input")
+        ->required()
+        ->type_name("GIVEN")
+        ->group("Input");
+    add_from(app, from_, "Format of the input that is '-'");
+    given_mending_.define(app);
+    rules_.define(app);
+    add_tolerance(app, tolerance_);
+    add_oracle(app, oracle_);
+    app.footer(
+        "Mending options apply to GIVEN; repeat those that `interpolate` was given.\n"
+        "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n"
+        "Exit code 0 if the error is within the tolerance, else 4.\n\n"
+        "Examples:\n"
+        "  surpass check control.obj --against given.obj\n"
+        "  surpass check control.ply --against given.ply --tolerance 1e-12 --oracle\n");
+  }
+
+  Result<void> run(Session& session) override {
+    const auto paths = check_report_path(session, {control_path_, given_path_});
+    if (!paths) return paths;
+    const Result<LoadedMesh> control = load(control_path_, session);
+    if (!control) return tl::make_unexpected(control.error());
+    Result<LoadedMesh> given = load(given_path_, session);
+    if (!given) return tl::make_unexpected(given.error());
+    const auto mended = given_mending_.apply(given->mesh, session);
+    if (!mended) return mended;
+    if (session.reporting()) {
+      session.report["input"] = mesh_json(given_path_, given->mesh);
+      session.report["control"] = mesh_json(control_path_, control->mesh);
+    }
+    const Rules rules = rules_.choose(control->mesh, session);
+    if (const auto possible = check_oracle(oracle_, rules); !possible) return possible;
+    if (const auto same = check_counts(control->mesh, given->mesh); !same) return same;
+    return judge(control->mesh, given->mesh.points, rules, session);
+  }
+
+ private:
+  Result<LoadedMesh> load(const std::string& path, Session& session) const {
+    return load_mesh(path, path == "-" ? from_ : Format::automatic, session);
+  }
+
+  Result<void> check_counts(const Mesh& control, const Mesh& given) const {
+    if (control.vertex_count() == given.vertex_count()) return {};
+    return fail(
+        ErrorCode::mismatch,
+        fmt::format("{} has {} vertices and {} has {}; a control mesh has those of the mesh "
+                    "it was made from. Is it a refined surface, or was the given mesh "
+                    "mended (repeat --weld, --repair)?",
+                    control_path_, control.vertex_count(), given_path_, given.vertex_count()));
+  }
+
+  Result<void> judge(const Mesh& control, std::span<const Point> given, const Rules& rules,
+                     Session& session) const {
+    const double side = bounding_box(given).side();
+    const double tolerance = floored_tolerance(tolerance_, flat(given), side > 0 ? side : 1);
+    const Result<Certificate> own =
+        session.timed("verify", [&] { return certify(control, given, rules, session.context); });
+    if (!own) return tl::make_unexpected(own.error());
+    session.report["tolerance"] = tolerance;
+    session.report["error"] = certificate_json(*own);
+    std::string text = line(*own);
+    double worst = own->max;
+    if (oracle_) {
+      const Result<Certificate> oracle =
+          session.timed("verify", [&] { return certify_by_oracle(control, given, rules); });
+      if (!oracle) return tl::make_unexpected(oracle.error());
+      session.console.notes(oracle->notes);
+      session.report["oracle"] = certificate_json(*oracle);
+      text += line(*oracle);
+      worst = std::max(worst, oracle->max);
+    }
+    const bool within = worst <= tolerance;
+    session.report["converged"] = within;
+    if (const auto printed = session.print_result(text); !printed) return printed;
+    if (within) return {};
+    return fail(ErrorCode::not_converged,
+                fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
+                            "than the tolerance {:.3g} (rules: {}, {}); files with 32-bit numbers "
+                            "reach about 1e-7",
+                            worst, tolerance, name_of(rules.scheme), name_of(rules.boundary)));
+  }
+
+  static std::string line(const Certificate& c) {
+    return fmt::format("{:16}  max {:.6g} at vertex {}, mean {:.6g} of the box side {:.6g}\n",
+                       c.evaluator, c.max, c.worst_vertex, c.mean, c.box_side);
+  }
+
+  std::string control_path_;
+  std::string given_path_;
+  Format from_ = Format::automatic;
+  Mending given_mending_;
+  RulesOption rules_;
+  double tolerance_ = InterpolateOptions{}.tolerance;
+  bool oracle_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_check() { return std::make_unique<Check>(); }
+
+}  // namespace surpass::cli

@@ -1,0 +1,235 @@
+// surpass interpolate GIVEN -o CONTROL
+//
+// Read, mend, solve, certify before and after rounding, write. Everything is computed before
+// anything is written.
+#include "arguments.hpp"
+#include "command.hpp"
+#include "evaluator.hpp"
+#include "levels.hpp"
+#include "mesh_input.hpp"
+#include "mesh_output.hpp"
+#include "rules_option.hpp"
+#include "solve_report.hpp"
+#include "solver_options.hpp"
+#include "vertex_list.hpp"
+
+namespace surpass::cli {
+
+namespace {
+
+class Interpolate : public Command {
+ public:
+  void define(CLI::App& app) override;
+  Result<void> run(Session& session) override;
+
+ private:
+  Result<void> choose_options(const Mesh& given, Session& session);
+  Result<Interpolated> solve(const Mesh& given, Session& session) const;
+  Result<Verdict> verify(const Mesh& control, const Mesh& given, Session& session) const;
+  Result<Certificate> certify_listed(const Mesh& control, const Mesh& given,
+                                     const Context& context) const;
+  [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
+  Result<void> write(const Interpolated& found, Session& session) const;
+
+  MeshInput input_;
+  MeshOutput output_;
+  RulesOption rules_;
+  InterpolateOptions options_;
+  std::string only_path_;
+  std::string surface_path_;
+  int levels_ = 3;
+  bool keep_best_ = false;
+  bool oracle_ = false;
+};
+
+constexpr char kExamples[] =
+    "If the tolerance is not reached, no mesh is written and the exit code is 4; the report is\n"
+    "written either way.\n\n"
+    "Examples:\n"
+    "  surpass interpolate given.obj -o control.obj\n"
+    "  surpass interpolate scan.ply -o control.ply --surface smooth.ply --levels 3\n"
+    "  surpass interpolate quads.obj -o control.obj --triangulate --tolerance 1e-12\n"
+    "  surpass interpolate open.off -o control.off --boundary hoppe --solver richardson \\\n"
+    "      --report run.json\n"
+    "  cat given.off | surpass interpolate - -o - > control.off\n";
+
+void Interpolate::define(CLI::App& app) {
+  input_.define(app, "GIVEN", "The mesh whose vertices the surface shall pass through");
+  output_.define(app, "-o,--output", "The control mesh");
+  rules_.define(app);
+  app.add_option("--surface", surface_path_,
+                 "Also write the limit surface: the control mesh refined and moved to the limit")
+      ->type_name("FILE")
+      ->group("Surface");
+  add_levels(app, levels_, "Refinement steps of --surface")->group("Surface");
+  add_solver_options(app, options_);
+  app.add_option("--max-iterations", options_.max_iterations,
+                 "Most evaluations of the limit, for curves and surface each")
+      ->check(in_range(1U, 1000000000U))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Solver");
+  app.add_flag("--direct", options_.direct,
+               "Do exactly the sweeps of the a-priori bound, without testing in between (see "
+               "surpass predict); richardson and chebyshev")
+      ->group("Solver");
+  app.add_flag("--history", options_.full_history,
+               "Keep every iteration in the report; richardson always does")
+      ->group("Solver");
+  app.add_option("--only", only_path_,
+                 "Interpolate only the vertices that this file lists (numbers from 0, white space "
+                 "between, # comments); the others stay as given")
+      ->type_name("FILE")
+      ->group("Solver");
+  app.add_flag("--keep-best", keep_best_,
+               "Write the mesh even if the tolerance was not reached; the exit code stays 4")
+      ->group("Output");
+  add_oracle(app, oracle_);
+  app.footer(kExamples);
+}
+
+Result<void> Interpolate::run(Session& session) {
+  std::vector<std::string> surfaces;
+  if (!surface_path_.empty()) surfaces.push_back(surface_path_);
+  const auto prepared = output_.prepare(session, {input_.path()}, surfaces);
+  if (!prepared) return prepared;
+
+  Result<LoadedMesh> loaded = input_.load(session);
+  if (!loaded) return tl::make_unexpected(loaded.error());
+  const Mesh& given = loaded->mesh;
+  output_.default_format(loaded->format);
+  if (const auto chosen = choose_options(given, session); !chosen) return chosen;
+
+  Result<Interpolated> found = solve(given, session);
+  if (!found) return tl::make_unexpected(found.error());
+  const Result<Verdict> verdict = verify(found->control, given, session);
+  if (!verdict) return tl::make_unexpected(verdict.error());
+  add_solve_report(found->report, *verdict, session.report);
+  session.console.notes(found->report.notes);
+  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), given.vertex_count(),
+                                  name_of(options_.rules.scheme),
+                                  name_of(options_.rules.boundary)));
+  session.console.say(summary(found->report, *verdict));
+
+  const bool reached = found->report.converged && verdict->judged() <= found->report.tolerance;
+  if (reached || keep_best_) {
+    if (const auto written = write(*found, session); !written) return written;
+  }
+  return reached ? Result<void>() : not_reached(found->report, verdict->judged());
+}
+
+Result<void> Interpolate::not_reached(const SolveReport& solved, double error) const {
+  const std::string advice = keep_best_ ? "" : ", or have the best mesh written with --keep-best";
+  if (error <= solved.tolerance) {
+    return fail(ErrorCode::not_converged,
+                fmt::format("the positions reached the tolerance {:.3g}, but a channel did not; "
+                            "allow more with --max-iterations{}",
+                            solved.tolerance, advice));
+  }
+  return fail(ErrorCode::not_converged,
+              fmt::format("the error is {:.3g} of the box side, above the tolerance {:.3g}, after "
+                          "{} iterations; allow more with --max-iterations, accept more with "
+                          "--tolerance{}",
+                          error, solved.tolerance, solved.iterations, advice));
+}
+
+Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
+  options_.rules = rules_.choose(given, session);
+  session.report["method"] = "progressive";
+  session.report["solver"] = name_of(options_.solver);
+  session.report["tolerance"] = options_.tolerance;
+  if (const auto checked = check_oracle(oracle_, options_.rules); !checked) return checked;
+  if (!surface_path_.empty()) {
+    if (const auto checked = check_levels(given, levels_); !checked) return checked;
+  }
+  if (only_path_.empty()) return {};
+  Result<std::vector<Index>> only = read_vertex_list(only_path_, given.vertex_count());
+  if (!only) return tl::make_unexpected(only.error());
+  options_.only = std::move(*only);
+  session.report["only"] = options_.only.size();
+  return {};
+}
+
+/// interpolate() with its two stages timed apart.
+Result<Interpolated> Interpolate::solve(const Mesh& given, Session& session) const {
+  const Result<Interpolator> solver = session.timed(
+      "topology", [&] { return Interpolator::create(given, options_, session.context); });
+  if (!solver) return tl::make_unexpected(solver.error());
+  Result<Solution> solution = session.timed(
+      "solve", [&] { return solver->solve(given.points, given.channels, session.context); });
+  if (!solution) return tl::make_unexpected(solution.error());
+  Interpolated found{given, std::move(solution->report)};
+  found.control.points = std::move(solution->points);
+  found.control.channels = std::move(solution->channels);
+  record(options_.rules, found.control);
+  return found;
+}
+
+Result<Verdict> Interpolate::verify(const Mesh& control, const Mesh& given,
+                                    Session& session) const {
+  return session.timed("verify", [&]() -> Result<Verdict> {
+    Verdict verdict;
+    const Result<Certificate> exact = certify_listed(control, given, session.context);
+    if (!exact) return tl::make_unexpected(exact.error());
+    verdict.exact = *exact;
+
+    Mesh rounded = control;
+    rounded.points = output_.stored(control.points);
+    if (rounded.points != control.points) {
+      const Result<Certificate> stored = certify_listed(rounded, given, session.context);
+      if (!stored) return tl::make_unexpected(stored.error());
+      verdict.stored = *stored;
+    }
+    if (oracle_) {
+      const Result<Certificate> oracle = certify_by_oracle(control, given.points, options_.rules);
+      if (!oracle) return tl::make_unexpected(oracle.error());
+      session.console.notes(oracle->notes);
+      verdict.oracle = *oracle;
+    }
+    return verdict;
+  });
+}
+
+/// certify(), for the vertices of --only where there is such a list.
+Result<Certificate> Interpolate::certify_listed(const Mesh& control, const Mesh& given,
+                                                const Context& context) const {
+  if (options_.only.empty()) return certify(control, given.points, options_.rules, context);
+  const Result<std::vector<Point>> limit = limit_positions(control, options_.rules, context);
+  if (!limit) return tl::make_unexpected(limit.error());
+  std::vector<Point> listed_limit;
+  std::vector<Point> listed_given;
+  for (const Index v : options_.only) {
+    listed_limit.push_back((*limit)[v]);
+    listed_given.push_back(given.points[v]);
+  }
+  Result<Certificate> found = compare_points(listed_limit, listed_given, "surpass");
+  if (!found) return found;
+  // Relative to the whole mesh, as all errors are.
+  const double side = bounding_box(given.points).side();
+  const double scale = found->box_side / (side > 0 ? side : 1);
+  found->max *= scale;
+  found->mean *= scale;
+  found->box_side /= scale;
+  found->worst_vertex = options_.only[found->worst_vertex];
+  return found;
+}
+
+Result<void> Interpolate::write(const Interpolated& found, Session& session) const {
+  std::optional<Mesh> surface;
+  if (!surface_path_.empty()) {
+    Result<Mesh> refined = session.timed("refine", [&] {
+      return limit_mesh(found.control, options_.rules, levels_, session.context);
+    });
+    if (!refined) return tl::make_unexpected(refined.error());
+    surface = std::move(*refined);
+    forget_rules(*surface);
+  }
+  if (const auto written = output_.write(found.control, session); !written) return written;
+  return surface ? output_.write(*surface, surface_path_, session) : Result<void>();
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_interpolate() { return std::make_unique<Interpolate>(); }
+
+}  // namespace surpass::cli

@@ -1,0 +1,167 @@
+// surpass: picks the command, reads its options, runs it, and turns its outcome into an exit code.
+#include <surpass/io.hpp>
+#include <surpass/version.hpp>
+
+#include <algorithm>
+#include <new>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "help.hpp"
+#include "mesh_input.hpp"
+#include "signals.hpp"
+
+namespace surpass::cli {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+struct CommonOptions {
+  bool quiet = false;
+  bool verbose = false;
+};
+
+void define_common(CLI::App& app, CommonOptions& options, Session& session) {
+  app.set_help_flag("--help,-h", "Print this text")->group("General");
+  app.add_option("--report", session.report_path,
+                 "Write what was found and done as JSON (docs/report.schema.json)")
+      ->type_name("FILE.json")
+      ->group("General");
+  app.add_option("--threads", session.context.threads,
+                 "Number of threads, 0 for all cores; results do not depend on it")
+      ->check(in_range(0, 1024))
+      ->type_name("N")
+      ->default_str("0")
+      ->group("General");
+  CLI::Option* quiet =
+      app.add_flag("--quiet,-q", options.quiet, "Say nothing but errors")->group("General");
+  app.add_flag("--verbose,-v", options.verbose, "Say more on stderr")
+      ->excludes(quiet)
+      ->group("General");
+}
+
+/// Prints data, or says why it cannot.
+int print_out(const std::string& text, Console& console) {
+  const Result<void> written = write_file("-", text);
+  if (written) return 0;
+  console.error(describe(written.error()));
+  return exit_status(written.error().code);
+}
+
+/// Fills the options from `words`. True if help was asked for.
+Result<bool> parse(CLI::App& app, Words words) {
+  if (const auto known = refuse_unknown_options(app, words); !known) {
+    for (const std::string& word : words) {
+      if (word == "--help" || word == "-h") return true;
+    }
+    return tl::make_unexpected(known.error());
+  }
+  try {
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    app.parse(std::move(words));
+  } catch (const CLI::CallForHelp&) {
+    return true;
+  } catch (const CLI::ParseError& error) {
+    return fail(ErrorCode::invalid_argument, error.what());
+  }
+  return false;
+}
+
+/// Adds what to try, if the command has the option for it and it was not tried.
+Error with_remedy(Error error, const CLI::App& app) {
+  const std::string sentence = remedy(error.code);
+  const std::string option = sentence.substr(0, sentence.find(' '));
+  const CLI::Option* known = sentence.empty() ? nullptr : app.get_option_no_throw(option);
+  if (known != nullptr && known->count() == 0) error.message += "; " + sentence;
+  return error;
+}
+
+std::string pointing_to_help(const std::string& sentence, const std::string& name) {
+  return fmt::format("{}{} {} --help", sentence, sentence.ends_with('?') ? " See" : "; see", name);
+}
+
+/// Runs the command and reports its outcome; the exit code.
+int execute(Command& command, const CLI::App& app, Session& session) {
+  Result<void> outcome = session.timed("total", [&]() -> Result<void> {
+    try {
+      return command.run(session);
+    } catch (const std::bad_alloc&) {
+      return fail(ErrorCode::too_large, "there is not enough memory for this mesh");
+    }
+  });
+  if (!outcome) outcome = tl::make_unexpected(with_remedy(outcome.error(), app));
+  // After an interruption nothing more is written, the report included.
+  if (outcome || outcome.error().code != ErrorCode::cancelled) {
+    const Result<void> written = finish_report(session, outcome ? nullptr : &outcome.error());
+    if (!written && outcome)
+      outcome = written;
+    else if (!written)
+      session.console.error(describe(written.error()));
+  }
+  if (outcome) return 0;
+  session.console.error(describe(outcome.error()));
+  return exit_status(outcome.error().code);
+}
+
+int run_command(const CommandEntry& entry, const Words& words) {
+  Session session;
+  session.context.cancel = &catch_signals();
+  session.context.progress = [&](const Progress& p) { session.console.progress(p); };
+  session.report["surpass"] = kVersion;
+  session.report["command"] = entry.name;
+
+  const std::string name = fmt::format("surpass {}", entry.name);
+  CLI::App app{entry.summary, name};
+  app.formatter(std::make_shared<HelpFormatter>());
+  const std::unique_ptr<Command> command = entry.make();
+  CommonOptions options;
+  command->define(app);
+  define_common(app, options, session);
+
+  const Result<bool> help = parse(app, words);
+  if (!help) {
+    session.console.error(pointing_to_help(help.error().message, name));
+    return exit_status(help.error().code);
+  }
+  if (*help) return print_out(help_text(app), session.console);
+  if (options.quiet) session.console.set_loudness(Loudness::quiet);
+  if (options.verbose) session.console.set_loudness(Loudness::verbose);
+  return execute(*command, app, session);
+}
+
+int unknown_command(const std::string& word, Console& console) {
+  Words names;
+  for (const CommandEntry& entry : commands()) names.emplace_back(entry.name);
+  const char* kind = word.starts_with('-') ? "option" : "command";
+  if (word.starts_with('-')) names = {"--help", "--version"};
+  console.error(fmt::format("there is no {} '{}'{}; see surpass --help", kind, word,
+                            suggestion(word, names)));
+  return exit_status(ErrorCode::invalid_argument);
+}
+
+int run(Words words) {
+  Console console;
+  if (words.empty()) {
+    console.error("name a command; see surpass --help");
+    return exit_status(ErrorCode::invalid_argument);
+  }
+  std::string first = words.front();
+  words.erase(words.begin());
+  if (first == "--version") return print_out(version_text(), console);
+  if (first == "--help" || first == "-h" || first == "help") {
+    if (words.empty()) return print_out(overview(), console);
+    first = words.front();
+    words = {"--help"};
+  }
+  for (const CommandEntry& entry : commands()) {
+    if (first == entry.name) return run_command(entry, words);
+  }
+  return unknown_command(first, console);
+}
+
+}  // namespace
+
+}  // namespace surpass::cli
+
+int main(int argc, char** argv) { return surpass::cli::run({argv + 1, argv + argc}); }

@@ -1,0 +1,93 @@
+#include "mesh_input.hpp"
+
+#include <surpass/repair.hpp>
+#include <surpass/topology.hpp>
+
+#include "arguments.hpp"
+
+namespace surpass::cli {
+
+void Mending::define(CLI::App& app) {
+  app.add_flag("--repair", repair_,
+               "Drop degenerate and repeated faces, turn faces so that neighbours agree, and split "
+               "what is still non-manifold")
+      ->group("Mending");
+  app.add_option("--weld", weld_,
+                 "First merge vertices closer than EPS times the largest side of the bounding box; "
+                 "0 merges equal coordinates only")
+      ->check(in_range(0.0, 1.0))
+      ->type_name("EPS")
+      ->group("Mending");
+  app.add_flag("--triangulate", triangulate_,
+               "Last cut polygons into triangles, without new vertices")
+      ->group("Mending");
+}
+
+Result<void> Mending::apply(Mesh& mesh, Session& session) const {
+  const auto accept = [&](Mended mended) {
+    for (const std::string& sentence : mended.done) {
+      session.console.note(sentence);
+      session.report["mended"].push_back(sentence);
+    }
+    mesh = std::move(mended.mesh);
+  };
+  if (weld_ >= 0) {
+    Result<Mended> welded = weld(mesh, weld_ * bounding_box(mesh.points).side());
+    if (!welded) return tl::make_unexpected(welded.error());
+    accept(std::move(*welded));
+  }
+  if (repair_) accept(repair(mesh));
+  if (triangulate_) accept(triangulate(mesh));
+  return {};
+}
+
+void MeshInput::define(CLI::App& app, const std::string& name, const std::string& description) {
+  app.add_option(name, path_, description + "; '-' is the standard input")->required();
+  add_from(app, format_, "Format of the input, for '-' or to overrule the file's bytes and name");
+  mending_.define(app);
+}
+
+Result<LoadedMesh> MeshInput::load(Session& session) const {
+  Result<LoadedMesh> loaded = load_mesh(path_, format_, session);
+  if (!loaded) return loaded;
+  const Result<void> mended = mending_.apply(loaded->mesh, session);
+  if (!mended) return tl::make_unexpected(mended.error());
+  if (session.reporting()) session.report["input"] = mesh_json(path_, loaded->mesh);
+  return loaded;
+}
+
+void add_from(CLI::App& app, Format& format, const std::string& description) {
+  add_choice(app, "--from", format, {Format::obj, Format::ply, Format::off, Format::stl},
+             description)
+      ->group("Input");
+}
+
+Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {
+  Result<LoadedMesh> loaded = session.timed("read", [&] { return read_mesh(path, format); });
+  if (loaded) session.console.notes(loaded->notices);
+  return loaded;
+}
+
+Json mesh_json(const std::string& path, const Mesh& mesh) {
+  Json json = {{"path", path}, {"vertices", mesh.vertex_count()}, {"faces", mesh.face_count()}};
+  if (const Result<Topology> topology = Topology::build(mesh)) {
+    json["components"] = find_components(*topology).count;
+    json["boundary_loops"] = boundary_loops(*topology).size();
+  }
+  json["box_side"] = bounding_box(mesh.points).side();
+  return json;
+}
+
+std::string remedy(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::non_manifold_edge:
+    case ErrorCode::inconsistent_orientation:
+    case ErrorCode::repeated_vertex:
+    case ErrorCode::degenerate_face:
+    case ErrorCode::duplicate_face: return "--repair mends such meshes";
+    case ErrorCode::unsuitable_for_scheme: return "--triangulate cuts polygons into triangles";
+    default: return {};
+  }
+}
+
+}  // namespace surpass::cli

@@ -1,0 +1,153 @@
+#include "mesh_output.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include <unistd.h>
+
+#include "arguments.hpp"
+#include "signals.hpp"
+
+namespace surpass::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_file(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return false;
+  std::error_code ignored;
+  if (fs::equivalent(a, b, ignored)) return fs::is_regular_file(a, ignored);
+  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) &&
+         !fs::exists(a, ignored);
+}
+
+Result<void> check_folder(const std::string& path) {
+  if (path == "-") return {};
+  std::error_code ignored;
+  const fs::path parent = fs::path(path).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  const Place place{.file = path};
+  if (!fs::is_directory(folder, ignored)) {
+    return fail(ErrorCode::cannot_write, "its folder does not exist; make it first", place);
+  }
+  if (fs::is_directory(path, ignored)) {
+    return fail(ErrorCode::cannot_write, "is a folder; name a file in it", place);
+  }
+  if (!fs::exists(path, ignored) && access(folder.c_str(), W_OK) != 0) {
+    return fail(ErrorCode::cannot_write, "its folder is not writable; choose another", place);
+  }
+  return {};
+}
+
+/// The formats that files can be written in, for messages.
+constexpr char kEndings[] = ".obj, .ply, .off or .stl";
+
+}  // namespace
+
+Result<void> check_paths(const std::vector<std::string>& inputs,
+                         const std::vector<std::string>& outputs, bool force) {
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
+    return fail(ErrorCode::invalid_argument, "only one input can be '-', the standard input");
+  }
+  if (std::count(outputs.begin(), outputs.end(), "-") > 1) {
+    return fail(ErrorCode::invalid_argument, "only one output can be '-', the standard output");
+  }
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (same_file(outputs[i], outputs[j])) {
+        return fail(ErrorCode::invalid_argument,
+                    fmt::format("'{}' and '{}' are the same file; give each output its own",
+                                outputs[j], outputs[i]));
+      }
+    }
+    for (const std::string& input : inputs) {
+      if (!force && same_file(outputs[i], input)) {
+        return fail(ErrorCode::invalid_argument,
+                    fmt::format("'{}' is an input; write to another file, or add --force to "
+                                "replace it",
+                                outputs[i]));
+      }
+    }
+    if (const auto checked = check_folder(outputs[i]); !checked) return checked;
+  }
+  return {};
+}
+
+Result<void> check_report_path(const Session& session, const std::vector<std::string>& inputs) {
+  if (!session.reporting()) return check_paths(inputs, {}, false);
+  return check_paths(inputs, {session.report_path}, false);
+}
+
+void MeshOutput::define(CLI::App& app, const std::string& name, const std::string& description) {
+  app.add_option(name, path_, description + "; '-' is the standard output")
+      ->required()
+      ->type_name("FILE")
+      ->group(name.starts_with('-') ? "Output" : "Positionals");
+  add_choice(app, "--to", options_.format, {Format::obj, Format::ply, Format::off, Format::stl},
+             "Format of the output, for '-' or to overrule the file's ending; '-' without it takes "
+             "the format of the input")
+      ->group("Output");
+  CLI::Option* ascii = app.add_flag("--ascii", ascii_, "PLY and STL as text")->group("Output");
+  app.add_flag("--binary", binary_, "PLY and STL as bytes, little-endian (the default)")
+      ->excludes(ascii)
+      ->group("Output");
+  app.add_flag("--single", options_.single_precision,
+               "PLY: 32-bit positions; half the size, about 7 digits")
+      ->group("Output");
+  app.add_flag("--force", force_, "Allow the output to replace an input file")->group("Output");
+}
+
+Result<void> MeshOutput::prepare(const Session& session, const std::vector<std::string>& inputs,
+                                 const std::vector<std::string>& further_outputs) {
+  std::vector<std::string> outputs = {path_};
+  outputs.insert(outputs.end(), further_outputs.begin(), further_outputs.end());
+  if (session.reporting()) outputs.push_back(session.report_path);
+  if (const auto checked = check_paths(inputs, outputs, force_); !checked) return checked;
+
+  if (options_.format == Format::automatic) options_.format = format_of_path(path_);
+  if (options_.format == Format::automatic && path_ != "-") {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("'{}' does not name a format; end it in {}, or say --to FORMAT", path_,
+                            kEndings));
+  }
+  for (const std::string& path : further_outputs) {
+    if (path != "-" && format_of_path(path) == Format::automatic) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("'{}' does not name a format; end it in {}", path, kEndings));
+    }
+  }
+  if (ascii_) options_.encoding = Encoding::ascii;
+  if (binary_) options_.encoding = Encoding::little_endian;
+  return {};
+}
+
+void MeshOutput::default_format(Format format_of_input) {
+  if (options_.format == Format::automatic) options_.format = format_of_input;
+}
+
+Result<void> MeshOutput::write(const Mesh& mesh, Session& session) const {
+  return write(mesh, path_, session);
+}
+
+Result<void> MeshOutput::write(const Mesh& mesh, const std::string& path, Session& session) const {
+  if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
+  WriteOptions options = options_;
+  if (path != path_ && path != "-") options.format = format_of_path(path);
+  const UnfinishedFile unfinished(path);
+  const auto lost = session.timed("write", [&] { return write_mesh(mesh, path, options); });
+  if (!lost) return tl::make_unexpected(lost.error());
+  session.console.notes(*lost);
+  session.report["outputs"].push_back({{"path", path},
+                                       {"format", name_of(options.format)},
+                                       {"vertices", mesh.vertex_count()},
+                                       {"faces", mesh.face_count()}});
+  return {};
+}
+
+std::vector<Point> MeshOutput::stored(std::span<const Point> points) const {
+  return stored_positions(points, options_.format, options_.single_precision);
+}
+
+}  // namespace surpass::cli

@@ -1,0 +1,110 @@
+#include "rules_option.hpp"
+
+#include <sstream>
+
+#include "arguments.hpp"
+
+namespace surpass::cli {
+
+namespace {
+
+constexpr char kTag[] = "interpolateboundary";
+
+/// The words of an OpenSubdiv tag line, with or without its leading "t": its name, the counts of
+/// its integers, floats and strings ("1/0/0"), then those.
+std::vector<std::string> tag_words(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  if (!words.empty() && words.front() == "t") words.erase(words.begin());
+  return words;
+}
+
+bool is_boundary_tag(const std::string& line) {
+  const std::vector<std::string> words = tag_words(line);
+  return !words.empty() && words.front() == kTag;
+}
+
+/// The rule that the file's own tag asks for. In OpenSubdiv's files, 1 is edge-and-corner, 2 is
+/// edge-only; 0 drops the faces at the boundary, which no interpolation can mean.
+std::optional<Boundary> tagged_boundary(const Mesh& mesh, Console& console) {
+  for (const std::string& line : mesh.tags) {
+    if (!is_boundary_tag(line)) continue;
+    const std::vector<std::string> words = tag_words(line);
+    const std::string value = words.size() > 2 ? words[2] : "1";
+    if (value == "1") return Boundary::edge_and_corner;
+    if (value == "2") return Boundary::edge_only;
+    console.note(
+        fmt::format("the file's boundary rule '{}' is not supported; edge-and-corner is "
+                    "taken (choose with --boundary)",
+                    line));
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+template <class Value>
+std::optional<Value> annotated(const Mesh& mesh, const char* key,
+                               Result<Value> (*named)(std::string_view), Console& console) {
+  const std::string text = mesh.annotation(key);
+  if (text.empty()) return std::nullopt;
+  const Result<Value> value = named(text);
+  if (value) return *value;
+  console.note(
+      fmt::format("the file records the {} '{}', which this version does not know; it is "
+                  "ignored",
+                  key, text));
+  return std::nullopt;
+}
+
+}  // namespace
+
+void RulesOption::define(CLI::App& app) {
+  add_choice(app, "--scheme", scheme_, {Scheme::loop},
+             "Subdivision scheme; by default the one that the file records, else loop")
+      ->group("Surface");
+  add_choice(app, "--boundary", boundary_,
+             {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe, Boundary::interior},
+             "Rule at the boundary of an open mesh; by default the one that the file records, else "
+             "edge-and-corner. edge-only: the boundary curve is the cubic B-spline of the boundary "
+             "polygon; edge-and-corner: and vertices of a single face stay fixed; hoppe: the rules "
+             "of the progressive-interpolation paper; interior: the interior mask everywhere, "
+             "limit positions only")
+      ->group("Surface");
+}
+
+Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
+  Rules rules;
+  Console& console = session.console;
+  if (const auto found = annotated(mesh, "scheme", scheme_named, console)) rules.scheme = *found;
+  if (scheme_) rules.scheme = *scheme_;
+  if (boundary_) {
+    rules.boundary = *boundary_;
+  } else if (const auto recorded = annotated(mesh, "boundary", boundary_named, console)) {
+    rules.boundary = *recorded;
+  } else if (const auto tagged = tagged_boundary(mesh, console)) {
+    rules.boundary = *tagged;
+  }
+  session.report["scheme"] = name_of(rules.scheme);
+  session.report["boundary"] = name_of(rules.boundary);
+  return rules;
+}
+
+void record(const Rules& rules, Mesh& mesh) {
+  mesh.annotate("scheme", name_of(rules.scheme));
+  mesh.annotate("boundary", name_of(rules.boundary));
+  const std::size_t dropped = std::erase_if(mesh.tags, is_boundary_tag);
+  if (dropped == 0) return;
+  // The tag stays only where it can say the rule, for programs that read no annotation.
+  if (rules.boundary == Boundary::edge_only) mesh.tags.push_back(fmt::format("t {} 1/0/0 2", kTag));
+  if (rules.boundary == Boundary::edge_and_corner) {
+    mesh.tags.push_back(fmt::format("t {} 1/0/0 1", kTag));
+  }
+}
+
+void forget_rules(Mesh& mesh) {
+  std::erase_if(mesh.annotations,
+                [](const auto& a) { return a.first == "scheme" || a.first == "boundary"; });
+}
+
+}  // namespace surpass::cli

@@ -1,0 +1,37 @@
+// Which scheme and which boundary rule: told, recorded in the file, or the default.
+#pragma once
+
+#include <surpass/mesh.hpp>
+#include <surpass/scheme.hpp>
+
+#include <optional>
+
+#include <CLI/App.hpp>
+
+#include "session.hpp"
+
+namespace surpass::cli {
+
+class RulesOption {
+ public:
+  /// --scheme and --boundary.
+  void define(CLI::App& app);
+
+  /// The command line wins over what the mesh records (a comment of a control mesh, then
+  /// OpenSubdiv's `t interpolateboundary`), and that over loop and edge-and-corner. What is found
+  /// is noted in report["scheme"] and report["boundary"].
+  [[nodiscard]] Rules choose(const Mesh& mesh, Session& session) const;
+
+ private:
+  std::optional<Scheme> scheme_;
+  std::optional<Boundary> boundary_;
+};
+
+/// Makes what the mesh records agree with the rules that it was made by.
+void record(const Rules& rules, Mesh& mesh);
+
+/// Takes the record away: points of a limit surface are no control points, and no reader shall
+/// subdivide them again by rules that made them.
+void forget_rules(Mesh& mesh);
+
+}  // namespace surpass::cli

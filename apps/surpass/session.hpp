@@ -1,0 +1,59 @@
+// What one run of the program holds: how to speak, how to compute, and the report that grows.
+#pragma once
+
+#include <surpass/context.hpp>
+#include <surpass/result.hpp>
+
+#include <chrono>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "console.hpp"
+
+namespace surpass::cli {
+
+/// Reports list their keys in the order in which they came.
+using Json = nlohmann::ordered_json;
+
+struct Session {
+  Console console;
+  Context context;  ///< to pass to the library: threads, progress, cancellation by a signal
+  Json report = Json::object();  ///< written to --report after the command, whatever its outcome
+  std::string report_path = {};
+
+  [[nodiscard]] bool reporting() const { return !report_path.empty(); }
+
+  /// Prints what a command found on stdout; `--report -` puts the report in its place.
+  [[nodiscard]] Result<void> print_result(const std::string& text) const;
+
+  /// Runs `stage()` and adds its time to report["seconds"][name].
+  template <class Stage>
+  auto timed(const char* name, Stage&& stage) {
+    const Timer timer{*this, name};
+    return stage();
+  }
+
+ private:
+  struct Timer {
+    Session& session;
+    const char* name;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    ~Timer() {
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      Json& entry = session.report["seconds"][name];
+      entry = (entry.is_number() ? entry.get<double>() : 0.0) + seconds.count();
+    }
+  };
+};
+
+/// The exit code for an error: 1 usage, 2 file, 3 mesh, 4 tolerance, 5 output, 130 interrupted.
+[[nodiscard]] int exit_status(ErrorCode code);
+
+/// Code, message and place of an error.
+[[nodiscard]] Json error_json(const Error& error);
+
+/// Adds what every report ends with (times, memory, the failure if there was one) and writes it.
+[[nodiscard]] Result<void> finish_report(Session& session, const Error* failure);
+
+}  // namespace surpass::cli

@@ -1,0 +1,71 @@
+// surpass subdivide MESH -o OUT --levels N [--limit]
+#include "arguments.hpp"
+#include "command.hpp"
+#include "levels.hpp"
+#include "mesh_input.hpp"
+#include "mesh_output.hpp"
+#include "rules_option.hpp"
+
+namespace surpass::cli {
+
+namespace {
+
+class Subdivide : public Command {
+ public:
+  void define(CLI::App& app) override {
+    input_.define(app, "MESH", "The control mesh to refine");
+    output_.define(app, "-o,--output", "The refined mesh");
+    rules_.define(app);
+    add_levels(app, levels_, "Refinement steps")->required()->group("Surface");
+    app.add_flag("--limit", limit_,
+                 "Move the result onto the limit surface, with its normals where the format has "
+                 "a place for them")
+        ->group("Surface");
+    app.footer(
+        "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n\n"
+        "Examples:\n"
+        "  surpass subdivide control.obj -o fine.ply --levels 3 --limit\n"
+        "  surpass subdivide cage.off -o step.off --levels 1 --boundary hoppe\n");
+  }
+
+  Result<void> run(Session& session) override {
+    const auto prepared = output_.prepare(session, {input_.path()});
+    if (!prepared) return prepared;
+    const Result<LoadedMesh> loaded = input_.load(session);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    output_.default_format(loaded->format);
+    const Rules rules = rules_.choose(loaded->mesh, session);
+    session.report["levels"] = levels_;
+    session.report["limit"] = limit_;
+    if (const auto checked = check_levels(loaded->mesh, levels_); !checked) return checked;
+
+    Result<Mesh> refined = session.timed("refine", [&] {
+      return limit_ ? limit_mesh(loaded->mesh, rules, levels_, session.context)
+                    : refine(loaded->mesh, rules, levels_, session.context);
+    });
+    if (!refined) return tl::make_unexpected(refined.error());
+    if (limit_) {
+      forget_rules(*refined);
+    } else {
+      record(rules, *refined);
+    }
+    session.console.say(fmt::format("{} vertices, {} faces after {} levels of {}, {}{}",
+                                    refined->vertex_count(), refined->face_count(), levels_,
+                                    name_of(rules.scheme), name_of(rules.boundary),
+                                    limit_ ? ", on the limit surface" : ""));
+    return output_.write(*refined, session);
+  }
+
+ private:
+  MeshInput input_;
+  MeshOutput output_;
+  RulesOption rules_;
+  int levels_ = 0;
+  bool limit_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_subdivide() { return std::make_unique<Subdivide>(); }
+
+}  // namespace surpass::cli

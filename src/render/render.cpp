@@ -1,0 +1,104 @@
+// Checks what is asked for, sets up camera and scene, and paints band by band.
+#include <surpass/render.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "parallel/parallel.hpp"
+#include "render/painter.hpp"
+
+namespace surpass {
+namespace {
+
+using namespace picture;
+
+constexpr int kLargestSize = 16384;
+constexpr int kMostSamples = 1024;
+constexpr int kBandRows = 128;
+
+Result<void> check_options(const RenderOptions& options) {
+  const auto refuse = [](std::string message) {
+    return fail(ErrorCode::invalid_argument, std::move(message));
+  };
+  if (std::min(options.width, options.height) < 1 ||
+      std::max(options.width, options.height) > kLargestSize) {
+    return refuse(fmt::format("a picture can be 1 to {} pixels wide and high, not {} x {}",
+                              kLargestSize, options.width, options.height));
+  }
+  if (options.samples < 1 || options.samples > kMostSamples) {
+    return refuse(
+        fmt::format("a pixel can have 1 to {} samples, not {}", kMostSamples, options.samples));
+  }
+  if (!std::isfinite(options.azimuth) || !std::isfinite(options.elevation)) {
+    return refuse("the camera's azimuth and elevation must be finite angles in degrees");
+  }
+  if (options.up != 'x' && options.up != 'y' && options.up != 'z') {
+    return refuse(fmt::format("the up axis is x, y or z, not '{}'", options.up));
+  }
+  if (!(options.point_radius >= 0) || !std::isfinite(options.point_radius)) {
+    return refuse("the radius of points must be a finite number, at least 0");
+  }
+  const auto finite = [](const Point& p) { return to_vector(p).allFinite(); };
+  if (!std::all_of(options.points.begin(), options.points.end(), finite) ||
+      !std::all_of(options.frame.begin(), options.frame.end(), finite)) {
+    return refuse("points to draw or to fit into the picture must have finite coordinates");
+  }
+  return {};
+}
+
+// So that balls of many points stay apart and those of a few do not cover the surface.
+double ball_radius(const RenderOptions& options) {
+  if (options.point_radius > 0 || options.points.empty()) return options.point_radius;
+  return std::clamp(0.18 / std::sqrt(static_cast<double>(options.points.size())), 0.003, 0.014);
+}
+
+Camera aim(const Mesh& mesh, const DisplayMesh& display, const RenderOptions& options) {
+  std::vector<Point> fitted = options.frame;
+  if (fitted.empty()) {
+    fitted = drawn_points(mesh, display);
+    fitted.insert(fitted.end(), options.points.begin(), options.points.end());
+  }
+  return Camera(fitted, ball_radius(options), options);
+}
+
+std::vector<Vec3> to_unit(const std::vector<Point>& points, const Camera& camera) {
+  std::vector<Vec3> unit;
+  unit.reserve(points.size());
+  for (const Point& p : points) unit.push_back(camera.to_unit(p));
+  return unit;
+}
+
+}  // namespace
+
+Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Context& context) {
+  if (auto checked = check_options(options); !checked) return tl::make_unexpected(checked.error());
+  const auto display = make_display_mesh(mesh, options);
+  if (!display) return tl::make_unexpected(display.error());
+  const Camera camera = aim(mesh, *display, options);
+  const std::vector<Vec3> points = to_unit(mesh.points, camera);
+  const std::vector<Vec3> balls = to_unit(options.points, camera);
+  const float radius = static_cast<float>(ball_radius(options)) * camera.unit_side();
+  // While it runs, Embree limits TBB to the processor's threads; to ask for more would make TBB
+  // complain on stderr.
+  Context limited = context;
+  limited.threads = std::min(parallel::thread_count(context), parallel::thread_count({}));
+  const auto scene = Scene::build(points, display->triangles, balls, radius, limited.threads);
+  if (!scene) return tl::make_unexpected(scene.error());
+
+  const Painter painter(*display, points, *scene, camera, options);
+  Image image{options.width, options.height, {}};
+  image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(options.width) *
+                      static_cast<std::size_t>(options.height));
+  for (int y = 0; y < options.height; y += kBandRows) {
+    painter.paint(y, std::min(options.height, y + kBandRows), image, limited);
+    if (context.cancelled()) return fail(ErrorCode::cancelled, "the picture was cancelled");
+    context.report(
+        {.stage = "render",
+         .fraction = std::min(1.0, static_cast<double>(y + kBandRows) / options.height)});
+  }
+  return image;
+}
+
+}  // namespace surpass

@@ -1,0 +1,344 @@
+// Each subcommand on the committed meshes, held against values found in another way.
+#include <surpass/io.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+
+namespace surpass::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Mesh mesh_of(const std::string& path) {
+  const Result<LoadedMesh> loaded = read_mesh(path);
+  if (!loaded) throw std::runtime_error(describe(loaded.error()));
+  return loaded->mesh;
+}
+
+nlohmann::json report_of(Words words, int status = 0) {
+  const TempFolder folder;
+  words.insert(words.end(), {"--report", folder / "report.json"});
+  const Outcome outcome = surpass(words);
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  return nlohmann::json::parse(slurp(folder / "report.json"));
+}
+
+// The mask of a regular vertex of valence 4 is 24/55 at the vertex and 31/55 shared by its
+// neighbours, whose sum is zero in the octahedron; so L is 24/55 there and x = 55/24 v.
+TEST(Interpolate, TheOctahedronHasAKnownControlMesh) {
+  const TempFolder folder;
+  const std::string given = data("octahedron.obj");
+  const nlohmann::json report =
+      report_of({"interpolate", given, "-o", folder / "c.obj", "--tolerance", "1e-14"});
+  const Mesh control = mesh_of(folder / "c.obj");
+  const Mesh original = mesh_of(given);
+  ASSERT_EQ(control.face_vertices, original.face_vertices);
+  for (Index v = 0; v < 6; ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(control.points[v][k], original.points[v][k] * 55 / 24, 1e-13);
+    }
+  }
+  const double initial = 31.0 / 55.0 / 2.0;  // relative to the box side, 2
+  EXPECT_NEAR(report["error"]["initial_max"].get<double>(), initial, 1e-15);
+  EXPECT_NEAR(report["error"]["initial_mean"].get<double>(), initial, 1e-15);
+  double largest = 0;
+  for (Index v = 0; v < 6; ++v) {
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = control.points[v][k] * 24 / 55 - original.points[v][k];
+      square += d * d;
+    }
+    largest = std::max(largest, std::sqrt(square) / 2);
+  }
+  EXPECT_NEAR(report["error"]["max"].get<double>(), largest, 2e-16);
+  EXPECT_EQ(report["input"]["box_side"], 2.0);
+  EXPECT_EQ(control.annotation("scheme"), "loop");
+  EXPECT_EQ(control.annotation("boundary"), "edge-and-corner");
+}
+
+TEST(Interpolate, EverySolverFindsTheSameControlMesh) {
+  const TempFolder folder;
+  for (const char* solver : {"chebyshev", "richardson", "conjugate-gradient", "gauss-seidel"}) {
+    const std::string path = folder / (std::string(solver) + ".obj");
+    EXPECT_EQ(surpass({"interpolate", data("sphere_irregular.obj"), "-o", path, "--tolerance",
+                       "1e-13", "--solver", solver})
+                  .status,
+              0);
+  }
+  const Mesh expected = mesh_of(folder / "chebyshev.obj");
+  for (const char* solver : {"richardson", "conjugate-gradient", "gauss-seidel"}) {
+    const Mesh found = mesh_of(folder / (std::string(solver) + ".obj"));
+    double largest = 0;
+    for (Index v = 0; v < expected.vertex_count(); ++v) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        largest = std::max(largest, std::abs(found.points[v][k] - expected.points[v][k]));
+      }
+    }
+    EXPECT_LT(largest, 1e-11) << solver;  // the inverse of L is below 10
+  }
+}
+
+TEST(Interpolate, TheBitsDoNotDependOnTheThreads) {
+  const TempFolder folder;
+  const std::string grid = folder.file("grid.off", grid_off(120));  // several chunks of vertices
+  std::string expected;
+  for (const char* threads : {"1", "2", "3", "8"}) {
+    const std::string control = folder / "c.ply";
+    const std::string surface = folder / "s.ply";
+    ASSERT_EQ(surpass({"interpolate", grid, "-o", control, "--surface", surface, "--levels", "1",
+                       "--threads", threads})
+                  .status,
+              0);
+    const std::string bytes = slurp(control) + slurp(surface);
+    if (expected.empty()) expected = bytes;
+    EXPECT_TRUE(bytes == expected) << threads << " threads";
+  }
+}
+
+TEST(Interpolate, TheSurfacePassesThroughTheGivenVertices) {
+  const TempFolder folder;
+  const std::string given = data("disc.ply");
+  ASSERT_EQ(surpass({"interpolate", given, "-o", folder / "c.ply", "--surface", folder / "s.ply",
+                     "--levels", "2"})
+                .status,
+            0);
+  const Mesh original = mesh_of(given);
+  const Mesh surface = mesh_of(folder / "s.ply");
+  EXPECT_EQ(surface.face_count(), 16 * original.face_count());
+  EXPECT_EQ(surface.annotation("scheme"), "") << "its points are no control points";
+  const double allowed = 1e-9 * bounding_box(original.points).side();
+  for (Index v = 0; v < original.vertex_count(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(surface.points[v][k], original.points[v][k], allowed);
+    }
+  }
+}
+
+TEST(Interpolate, RoundedFilesReportBothErrors) {
+  const TempFolder folder;
+  const std::string given = data("sphere_irregular.obj");
+  const nlohmann::json report =
+      report_of({"interpolate", given, "-o", folder / "c.ply", "--single"});
+  EXPECT_LE(report["error"]["max"], 1e-9);
+  EXPECT_GT(report["error_stored"]["max"], 1e-9);
+  EXPECT_LT(report["error_stored"]["max"], 1e-6);
+  const nlohmann::json check = report_of({"check", folder / "c.ply", "--against", given}, 4);
+  EXPECT_EQ(check["error"]["max"], report["error_stored"]["max"]) << "what the file really holds";
+  EXPECT_EQ(check["error"]["mean"], report["error_stored"]["mean"]);
+}
+
+TEST(Interpolate, OnlyTheListedVerticesMove) {
+  const TempFolder folder;
+  const std::string given = data("sphere_irregular.obj");
+  const std::string list = folder.file("only.txt", "0 5 17 # three of them\n");
+  const nlohmann::json report =
+      report_of({"interpolate", given, "-o", folder / "c.obj", "--only", list});
+  EXPECT_EQ(report["only"], 3);
+  EXPECT_LE(report["error"]["max"], 1e-9);
+  EXPECT_GT(report["error"]["initial_max"], 1e-3);
+  const Mesh original = mesh_of(given);
+  const Mesh control = mesh_of(folder / "c.obj");
+  for (Index v = 0; v < original.vertex_count(); ++v) {
+    const bool listed = v == 0 || v == 5 || v == 17;
+    EXPECT_EQ(control.points[v] != original.points[v], listed) << v;
+  }
+}
+
+TEST(Predict, DirectDoesThePredictedSweepsAndReachesTheTolerance) {
+  const TempFolder folder;
+  const Words common = {"--solver", "richardson", "--tolerance", "1e-6"};
+  Words predict = {"predict", data("octahedron.obj")};
+  predict.insert(predict.end(), common.begin(), common.end());
+  const nlohmann::json prediction = report_of(predict)["prediction"];
+  // (3 beta - 1) / 2 with beta = 24/55
+  EXPECT_NEAR(prediction["lowest_eigenvalue"].get<double>(), 17.0 / 110.0, 1e-12);
+  Words direct = {"interpolate", data("octahedron.obj"), "-o", folder / "c.obj", "--direct"};
+  direct.insert(direct.end(), common.begin(), common.end());
+  const nlohmann::json report = report_of(direct);
+  EXPECT_EQ(report["iterations"].get<unsigned>(), prediction["sweeps"].get<unsigned>() + 1);
+  EXPECT_LE(report["error"]["max"], 1e-6);
+}
+
+TEST(Subdivide, KeepsOldVerticesAndMakesFourFacesOfOne) {
+  const TempFolder folder;
+  ASSERT_EQ(surpass({"subdivide", data("octahedron.obj"), "-o", folder / "f.obj", "--levels", "1"})
+                .status,
+            0);
+  const Mesh fine = mesh_of(folder / "f.obj");
+  EXPECT_EQ(fine.face_count(), 32U);
+  ASSERT_EQ(fine.vertex_count(), 18U);
+  // Vertex rule of valence 4: 1 - alpha with alpha = 5/8 - (3/8)^2 = 31/64; neighbours cancel.
+  EXPECT_NEAR(fine.points[0][0], mesh_of(data("octahedron.obj")).points[0][0] * 33 / 64, 1e-15);
+  EXPECT_EQ(fine.annotation("scheme"), "loop");
+}
+
+TEST(Subdivide, LimitAtLevelZeroIsTheGivenMesh) {
+  const TempFolder folder;
+  const std::string given = data("patch_irregular.obj");
+  ASSERT_EQ(surpass({"interpolate", given, "-o", folder / "c.obj", "--boundary", "hoppe",
+                     "--tolerance", "1e-13"})
+                .status,
+            0);
+  ASSERT_EQ(
+      surpass({"subdivide", folder / "c.obj", "-o", folder / "l.obj", "--levels", "0", "--limit"})
+          .status,
+      0);
+  const Mesh original = mesh_of(given);
+  const Mesh limit = mesh_of(folder / "l.obj");
+  const double allowed = 1e-12 * bounding_box(original.points).side();
+  for (Index v = 0; v < original.vertex_count(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(limit.points[v][k], original.points[v][k], allowed)
+          << "rule not taken from file?";
+    }
+  }
+}
+
+TEST(Check, TakesTheRecordedRulesUnlessTold) {
+  const TempFolder folder;
+  const std::string given = data("patch_irregular.obj");
+  const std::string control = folder / "c.obj";
+  ASSERT_EQ(surpass({"interpolate", given, "-o", control, "--boundary", "hoppe"}).status, 0);
+  const nlohmann::json own = report_of({"check", control, "--against", given});
+  EXPECT_EQ(own["boundary"], "hoppe");
+  EXPECT_EQ(own["converged"], true);
+  const Words other = {"check", control, "--against", given, "--boundary", "edge-only"};
+  EXPECT_GT(report_of(other, 4)["error"]["max"], 1e-4);
+}
+
+TEST(Check, TheOracleAgreesOrIsRefused) {
+  const TempFolder folder;
+  const std::string given = data("patch_irregular.obj");
+  const std::string control = folder / "c.obj";
+  ASSERT_EQ(surpass({"interpolate", given, "-o", control}).status, 0);
+  const Words check = {"check", control, "--against", given, "--oracle"};
+  if (surpass({"--version"}).out.find("oracle    not built in") != std::string::npos) {
+    const Outcome outcome = surpass(check);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("no OpenSubdiv"), std::string::npos) << outcome.err;
+    return;
+  }
+  const nlohmann::json report = report_of(check);
+  EXPECT_LE(report["oracle"]["max"], 1e-9);
+  EXPECT_NE(report["oracle"]["evaluator"], report["error"]["evaluator"]);
+  for (const char* rule : {"hoppe", "interior"}) {
+    Words lacking = check;
+    lacking.insert(lacking.end(), {"--boundary", rule});
+    EXPECT_EQ(surpass(lacking).status, 1) << rule;
+  }
+}
+
+TEST(Boundary, TheCommandLineWinsOverTheFileAndThatOverTheDefault) {
+  const TempFolder folder;
+  const std::string mesh = slurp(data("patch_irregular.obj"));
+  const auto tagged = [&](const std::string& value) {
+    return folder.file("t" + value + ".obj", mesh + "t interpolateboundary 1/0/0 " + value + "\n");
+  };
+  const auto rule = [&](Words words) {
+    words.insert(words.end(), {"-o", folder / "c.obj"});
+    return report_of(words)["boundary"].get<std::string>();
+  };
+  EXPECT_EQ(rule({"interpolate", tagged("1")}), "edge-and-corner");
+  EXPECT_EQ(rule({"interpolate", tagged("2")}), "edge-only");
+  EXPECT_EQ(rule({"interpolate", tagged("2"), "--boundary", "hoppe"}), "hoppe");
+  EXPECT_EQ(rule({"interpolate", data("patch_irregular.obj")}), "edge-and-corner");
+  const Outcome none = surpass({"interpolate", tagged("0"), "-o", folder / "c.obj"});
+  EXPECT_EQ(none.status, 0);
+  EXPECT_NE(none.err.find("is not supported"), std::string::npos) << none.err;
+
+  ASSERT_EQ(rule({"interpolate", tagged("1"), "--boundary", "edge-only"}), "edge-only");
+  const std::string control = slurp(folder / "c.obj");
+  EXPECT_NE(control.find("t interpolateboundary 1/0/0 2"), std::string::npos)
+      << "the tag of the written mesh says the rule that made it";
+}
+
+TEST(Inspect, CountsOfADiscAndAnOctahedron) {
+  const nlohmann::json octahedron = report_of({"inspect", data("octahedron.obj")});
+  EXPECT_EQ(octahedron["input"]["components"], 1);
+  EXPECT_EQ(octahedron["input"]["boundary_loops"], 0);
+  EXPECT_EQ(octahedron["anatomy"]["edges"], 12);
+  EXPECT_EQ(octahedron["anatomy"]["valences"]["interior"], (nlohmann::json{{"4", 6}}));
+  const nlohmann::json tube = report_of({"inspect", data("tube.obj")});
+  EXPECT_EQ(tube["input"]["boundary_loops"], 2);
+  std::size_t boundary = 0;
+  for (const auto& length : tube["anatomy"]["boundary_loop_lengths"]) {
+    boundary += length.get<std::size_t>();
+  }
+  // Every edge has two faces but those of the boundary: 3 F = 2 E - B.
+  EXPECT_EQ(3 * 216, 2 * tube["anatomy"]["edges"].get<std::size_t>() - boundary);
+}
+
+TEST(Inspect, SaysWhatWouldBeRefused) {
+  const nlohmann::json cube = report_of({"inspect", data("cube.obj")}, 3);
+  EXPECT_EQ(cube["anatomy"]["accepted"], false);
+  EXPECT_EQ(cube["anatomy"]["refusals"][0]["code"], "unsuitable-for-scheme");
+  const nlohmann::json mended = report_of({"inspect", data("cube.obj"), "--triangulate"});
+  EXPECT_EQ(mended["anatomy"]["accepted"], true);
+  EXPECT_EQ(mended["input"]["faces"], 12);
+}
+
+TEST(Compare, TwoParallelTriangles) {
+  const TempFolder folder;
+  const std::string low = folder.file("low.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string high =
+      folder.file("high.off", "OFF\n3 1 0\n0 0 0.5\n1 0 0.5\n0 1 0.5\n3 0 1 2\n");
+  const nlohmann::json distance = report_of({"compare", low, high})["distance"];
+  for (const char* side : {"a_to_b", "b_to_a"}) {
+    for (const char* figure : {"max", "mean", "rms"}) {
+      EXPECT_NEAR(distance[side][figure].get<double>(), 0.5, 1e-12) << side << " " << figure;
+    }
+  }
+  EXPECT_GE(distance["hausdorff_bound"].get<double>(), 0.5);
+  EXPECT_LE(distance["hausdorff_bound"].get<double>(), 0.5 + 1e-5);
+}
+
+TEST(Convert, ThroughEveryFormatAndBack) {
+  const TempFolder folder;
+  const std::string first = data("sphere_irregular.obj");
+  ASSERT_EQ(surpass({"convert", first, folder / "a.ply"}).status, 0);
+  ASSERT_EQ(surpass({"convert", folder / "a.ply", folder / "b.off"}).status, 0);
+  ASSERT_EQ(surpass({"convert", folder / "b.off", folder / "c.ply", "--ascii"}).status, 0);
+  ASSERT_EQ(surpass({"convert", folder / "c.ply", folder / "d.obj"}).status, 0);
+  const Mesh original = mesh_of(first);
+  const Mesh last = mesh_of(folder / "d.obj");
+  EXPECT_EQ(last.points, original.points);
+  EXPECT_EQ(last.face_vertices, original.face_vertices);
+}
+
+TEST(Convert, SaysWhatTheFormatCannotHold) {
+  const TempFolder folder;
+  const Outcome outcome = surpass({"convert", data("crease_loop.obj"), folder / "x.stl"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("note: "), std::string::npos);
+  EXPECT_NE(outcome.err.find("crease"), std::string::npos) << outcome.err;
+  const Outcome quiet = surpass({"convert", data("crease_loop.obj"), folder / "x.stl", "--quiet"});
+  EXPECT_EQ(quiet.err, "");
+}
+
+TEST(Streams, StandardInputToStandardOutput) {
+  const TempFolder folder;
+  const std::string given = data("bipyramid.off");
+  ASSERT_EQ(surpass({"interpolate", given, "-o", folder / "c.off"}).status, 0);
+  const Outcome streamed = surpass({"interpolate", "-", "-o", "-"}, {.input = slurp(given)});
+  EXPECT_EQ(streamed.status, 0) << streamed.err;
+  EXPECT_TRUE(streamed.out == slurp(folder / "c.off"));
+  const Outcome named = surpass({"interpolate", "-", "-o", "-", "--from", "off", "--to", "ply"},
+                                {.input = slurp(given)});
+  EXPECT_EQ(named.out.substr(0, 4), "ply\n");
+  const Outcome check =
+      surpass({"check", "-", "--against", given, "--from", "off"}, {.input = streamed.out});
+  EXPECT_EQ(check.status, 0) << check.err;
+}
+
+TEST(Streams, AReportOnStandardOutputIsAlone) {
+  const Outcome outcome = surpass({"inspect", data("octahedron.obj"), "--report", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["command"], "inspect");
+}
+
+}  // namespace
+}  // namespace surpass::test

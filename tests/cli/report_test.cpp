@@ -1,0 +1,128 @@
+// Reports of every command, of successes and of failures, against docs/report.schema.json.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "process.hpp"
+
+namespace surpass::test {
+namespace {
+
+using nlohmann::json;
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+class Report : public testing::Test {
+ protected:
+  Report() {
+    const json text = json::parse(slurp(SURPASS_SCHEMA));
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(text), schema_);
+  }
+
+  /// "" or what the schema has against it.
+  std::string complaint(const json& report) {
+    valijson::Validator validator;
+    valijson::ValidationResults results;
+    if (validator.validate(schema_, Adapter(report), &results)) return "";
+    std::string text = "refused:";
+    valijson::ValidationResults::Error error;
+    while (results.popError(error)) text += "\n" + error.description;
+    return text;
+  }
+
+  /// Runs the command with --report, expects the exit code, and the schema's consent.
+  json valid(std::vector<std::string> words, int status) {
+    const std::string path = folder_ / "report.json";
+    words.insert(words.end(), {"--report", path});
+    const Outcome outcome = surpass(words);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    json report = json::parse(slurp(path));
+    EXPECT_EQ(complaint(report), "") << report.dump(1);
+    EXPECT_EQ(report.contains("failure"), status != 0);
+    if (status != 0) EXPECT_EQ(report["failure"]["exit_status"], status);
+    std::filesystem::remove(path);
+    return report;
+  }
+
+  TempFolder folder_;
+  valijson::Schema schema_;
+};
+
+TEST_F(Report, OfInterpolation) {
+  for (const char* mesh : {"octahedron.obj", "patch_irregular.obj", "crease_darts.obj",
+                           "three_parts.ply", "isolated.obj", "bowtie.obj"}) {
+    valid({"interpolate", data(mesh), "-o", folder_ / "c.ply"}, 0);
+  }
+  const json full = valid({"interpolate", data("tube.obj"), "-o", folder_ / "c.stl", "--surface",
+                           folder_ / "s.off", "--levels", "1", "--solver", "richardson"},
+                          0);
+  EXPECT_EQ(full["outputs"].size(), 2U);
+  EXPECT_GT(full["boundary_iterations"], 0);
+  EXPECT_EQ(full["history"].size(), full["iterations"].get<std::size_t>());
+  EXPECT_EQ(full["history"].back()["iteration"], full["iterations"]);
+  for (const auto& [stage, seconds] : full["seconds"].items()) {
+    EXPECT_LE(seconds, full["seconds"]["total"]) << stage;
+  }
+  EXPECT_GT(full["peak_memory_bytes"], 1000000);
+  valid({"interpolate", data("cube.obj"), "-o", folder_ / "c.ply", "--triangulate"}, 0);
+}
+
+TEST_F(Report, OfFailedInterpolation) {
+  const json few = valid({"interpolate", data("sphere_irregular.obj"), "-o", folder_ / "x.obj",
+                          "--max-iterations", "2"},
+                         4);
+  EXPECT_EQ(few["converged"], false);
+  EXPECT_EQ(few["iterations"], 2);
+  EXPECT_EQ(few["failure"]["code"], "not-converged");
+  const json polygons = valid({"interpolate", data("cube.obj"), "-o", folder_ / "x.obj"}, 3);
+  EXPECT_EQ(polygons["input"]["vertices"], 8);
+  EXPECT_EQ(polygons["failure"]["code"], "unsuitable-for-scheme");
+  valid({"interpolate", folder_ / "missing.obj", "-o", folder_ / "x.obj"}, 2);
+  valid({"interpolate", data("tube.obj"), "-o", folder_ / "none/x.obj"}, 5);
+  const std::string bad = folder_.file("bad.obj", "v 0 0 0\nv 1 0 x\n");
+  const json syntax = valid({"interpolate", bad, "-o", folder_ / "x.obj"}, 2);
+  EXPECT_EQ(syntax["failure"]["line"], 2);
+  EXPECT_EQ(syntax["failure"]["column"], 7);
+}
+
+TEST_F(Report, OfTheOtherCommands) {
+  const std::string given = data("patch_irregular.obj");
+  const std::string control = folder_ / "c.obj";
+  valid({"interpolate", given, "-o", control}, 0);
+  valid({"predict", given}, 0);
+  valid({"subdivide", control, "-o", folder_ / "s.ply", "--levels", "1", "--limit"}, 0);
+  valid({"check", control, "--against", given}, 0);
+  valid({"check", given, "--against", given}, 4);
+  valid({"check", given, "--against", data("tube.obj")}, 3);
+  for (const char* mesh : {"octahedron.obj", "crease_corners.obj", "hole_faces.obj", "coloured.ply",
+                           "textured.obj", "isolated.obj", "bowtie.obj"}) {
+    valid({"inspect", data(mesh)}, 0);
+  }
+  valid({"inspect", data("mixed_polygons.obj")}, 3);
+  valid({"compare", given, control}, 0);
+  valid({"convert", given, folder_ / "x.off"}, 0);
+}
+
+TEST_F(Report, TheSchemaRefusesOtherThings) {
+  const json good = valid({"interpolate", data("octahedron.obj"), "-o", folder_ / "c.obj"}, 0);
+  for (const char* key : {"command", "error", "history", "seconds", "input", "tolerance"}) {
+    json lacking = good;
+    lacking.erase(key);
+    EXPECT_NE(complaint(lacking), "") << key;
+  }
+  json unknown = good;
+  unknown["eror"] = 1;
+  EXPECT_NE(complaint(unknown), "");
+  json negative = good;
+  negative["iterations"] = -1;
+  EXPECT_NE(complaint(negative), "");
+  json false_claim = good;
+  false_claim["converged"] = false;
+  EXPECT_NE(complaint(false_claim), "") << "without a failure the tolerance was reached";
+}
+
+}  // namespace
+}  // namespace surpass::test

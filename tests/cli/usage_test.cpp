@@ -1,0 +1,124 @@
+// Exit 1 and help: what a user sees who mistypes or asks.
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+
+namespace surpass::test {
+namespace {
+
+const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide", "check",
+                                            "inspect",     "compare", "convert"};
+
+void expect_usage_error(const std::vector<std::string>& arguments, const std::string& sentence) {
+  const Outcome outcome = surpass(arguments);
+  EXPECT_EQ(outcome.status, 1) << sentence;
+  EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST(Usage, TheNearestCommandIsSuggested) {
+  expect_usage_error({"interpolat", "a.obj"}, "did you mean 'interpolate'?");
+  expect_usage_error({"chekc"}, "did you mean 'check'?");
+  expect_usage_error({"subdivied"}, "did you mean 'subdivide'?");
+  expect_usage_error({"qqqqqqqq"}, "there is no command 'qqqqqqqq'; see surpass --help");
+  expect_usage_error({"--versoin"}, "did you mean '--version'?");
+  expect_usage_error({}, "name a command");
+}
+
+TEST(Usage, TheNearestOptionIsSuggested) {
+  const std::string given = data("octahedron.obj");
+  expect_usage_error({"interpolate", given, "--outptu", "x.obj"}, "did you mean '--output'?");
+  expect_usage_error({"interpolate", given, "-o", "x.obj", "--tolerence=1e-6"},
+                     "did you mean '--tolerance'? See surpass interpolate --help");
+  expect_usage_error({"subdivide", given, "-o", "x.obj", "--level", "1"},
+                     "did you mean '--levels'?");
+  expect_usage_error({"inspect", given, "--xyzzyx"}, "there is no option '--xyzzyx'");
+}
+
+TEST(Usage, TheNearestValueIsSuggested) {
+  const std::string given = data("octahedron.obj");
+  expect_usage_error({"interpolate", given, "-o", "x.obj", "--solver", "chebychev"},
+                     "did you mean 'chebyshev'?");
+  expect_usage_error({"predict", given, "--boundary", "edge"}, "edge-and-corner, hoppe, interior");
+  expect_usage_error({"convert", given, "-", "--to", "plx"}, "did you mean 'ply'?");
+}
+
+TEST(Usage, NumbersOutOfRangeAreRefused) {
+  const std::string given = data("octahedron.obj");
+  expect_usage_error({"subdivide", given, "-o", "x.obj", "--levels", "11"}, "0 to 10");
+  expect_usage_error({"subdivide", given, "-o", "x.obj", "--levels", "-1"}, "0 to 10");
+  expect_usage_error({"interpolate", given, "-o", "x.obj", "--tolerance", "-1e-9"}, "--tolerance");
+  expect_usage_error({"interpolate", given, "-o", "x.obj", "--threads", "many"}, "--threads");
+  expect_usage_error({"interpolate", given, "-o", "x.obj", "--max-iterations", "0"},
+                     "--max-iterations");
+}
+
+TEST(Usage, RefinementsBeyondAnyMemoryAreRefusedFirst) {
+  const TempFolder folder;
+  const std::string grid = folder.file("grid.off", grid_off(20));  // 722 triangles
+  expect_usage_error({"subdivide", grid, "-o", folder / "x.ply", "--levels", "10"},
+                     "at most 9 levels are possible");
+}
+
+TEST(Usage, MissingArgumentsAreNamed) {
+  expect_usage_error({"interpolate"}, "GIVEN is required");
+  expect_usage_error({"interpolate", data("octahedron.obj")}, "--output is required");
+  expect_usage_error({"check", data("octahedron.obj")}, "--against is required");
+  expect_usage_error({"compare", data("octahedron.obj")}, "B is required");
+}
+
+TEST(Usage, OutputsThatCannotBeMeant) {
+  const TempFolder folder;
+  const std::string given = folder.file("given.obj", slurp(data("octahedron.obj")));
+  expect_usage_error({"interpolate", given, "-o", given}, "add --force to replace it");
+  expect_usage_error({"interpolate", given, "-o", folder / "." / "given.obj"}, "is an input");
+  std::filesystem::create_symlink(given, folder / "link.obj");
+  expect_usage_error({"interpolate", given, "-o", folder / "link.obj"}, "is an input");
+  expect_usage_error({"interpolate", given, "-o", folder / "a.obj", "--surface", folder / "a.obj"},
+                     "are the same file");
+  expect_usage_error({"interpolate", given, "-o", folder / "a.xyz"}, "does not name a format");
+  expect_usage_error({"check", "-", "--against", "-"}, "only one input can be '-'");
+  expect_usage_error({"interpolate", given, "-o", "-", "--report", "-"},
+                     "only one output can be '-'");
+  EXPECT_EQ(slurp(given), slurp(data("octahedron.obj")));
+}
+
+TEST(Usage, ForceReplacesTheInput) {
+  const TempFolder folder;
+  const std::string given = folder.file("given.obj", slurp(data("octahedron.obj")));
+  EXPECT_EQ(surpass({"interpolate", given, "-o", given, "--force"}).status, 0);
+  EXPECT_NE(slurp(given), slurp(data("octahedron.obj")));
+  EXPECT_EQ(surpass({"check", given, "--against", data("octahedron.obj")}).status, 0);
+}
+
+TEST(Usage, EveryCommandExplainsItself) {
+  const Outcome overview = surpass({"--help"});
+  EXPECT_EQ(overview.status, 0);
+  EXPECT_EQ(overview.err, "");
+  for (const std::string& command : kCommands) {
+    EXPECT_NE(overview.out.find("  " + command), std::string::npos);
+    const Outcome help = surpass({command, "--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.err, "");
+    for (const char* part : {"Usage: surpass", "Examples:", "--threads", "--report", "--quiet"}) {
+      EXPECT_NE(help.out.find(part), std::string::npos) << command << " " << part;
+    }
+    EXPECT_EQ(surpass({"help", command}).out, help.out);
+  }
+  for (const char* code : {"  0 ", "  1 ", "  2 ", "  3 ", "  4 ", "  5 ", "  130 "}) {
+    EXPECT_NE(overview.out.find(code), std::string::npos);
+  }
+}
+
+TEST(Usage, TheVersionNamesItsComponents) {
+  const Outcome outcome = surpass({"--version"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out.find("surpass "), 0U);
+  for (const char* part : {"threads", "oracle", "renderer"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace surpass::test

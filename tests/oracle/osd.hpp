@@ -1,0 +1,21 @@
+// OpenSubdiv as a second opinion: refined points and tangents of the given vertices.
+#pragma once
+
+#include <vector>
+
+#include "support/meshes.hpp"
+
+namespace surpass::test {
+
+/// Positions of all vertices after `levels` refinements, in OpenSubdiv's own order, and which of them
+/// descends from which given vertex.
+struct OsdRefined {
+  std::vector<Point> points;
+  std::vector<Index> descendant;  ///< #V of the given mesh
+};
+OsdRefined osd_refine(const Mesh& mesh, Boundary boundary, int levels);
+
+/// Unit limit normals at the given vertices, from OpenSubdiv's limit tangents after one refinement.
+std::vector<Point> osd_normals(const Mesh& mesh, Boundary boundary);
+
+}  // namespace surpass::test

@@ -1,0 +1,50 @@
+// Refined points against OpenSubdiv, matched by position: the two number new vertices differently.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "osd.hpp"
+
+namespace surpass {
+namespace {
+
+// Pairs points by sorting a coarse key; exact enough as no two refined points come that close here.
+void expect_same_points(std::vector<Point> a, std::vector<Point> b, double tolerance) {
+  ASSERT_EQ(a.size(), b.size());
+  const auto less = [](const Point& p, const Point& q) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (std::abs(p[k] - q[k]) > 1e-9) return p[k] < q[k];
+    }
+    return false;
+  };
+  std::sort(a.begin(), a.end(), less);
+  std::sort(b.begin(), b.end(), less);
+  EXPECT_LT(test::max_distance(a, b), tolerance);
+}
+
+class RefinementAgainstOpenSubdiv : public testing::TestWithParam<int> {};
+
+TEST_P(RefinementAgainstOpenSubdiv, TwoLevelsWithAndWithoutCreases) {
+  for (const double creases : {0.0, 0.15}) {
+    for (const bool semi_sharp : {false, true}) {
+      const Mesh mesh = test::random_mesh(
+          {.seed = 11, .kind = GetParam(), .creases = creases, .semi_sharp = semi_sharp});
+      for (const Boundary boundary : {Boundary::edge_only, Boundary::edge_and_corner}) {
+        const auto ours = refine(mesh, {Scheme::loop, boundary}, 2);
+        ASSERT_TRUE(ours) << describe(ours.error());
+        const auto theirs = test::osd_refine(mesh, boundary, 2);
+        expect_same_points(ours->points, theirs.points, 1e-14);
+        for (Index v = 0; v < mesh.vertex_count(); ++v) {
+          const Point& p = ours->points[v];
+          const Point& q = theirs.points[theirs.descendant[v]];
+          EXPECT_LT(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 1e-14);
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomMeshes, RefinementAgainstOpenSubdiv, testing::Range(0, 5));
+
+}  // namespace
+}  // namespace surpass

@@ -1,0 +1,279 @@
+// Interpolation against dense linear algebra, naive code, and its own promises.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <sstream>
+
+#include "generators.hpp"
+
+namespace surpass {
+namespace {
+
+using Dense = Eigen::MatrixXd;
+
+// The limit operator column by column: limits of meshes with one vertex at (1, 0, 0) and the rest at 0.
+Dense dense_operator(const Mesh& mesh, const Rules& rules) {
+  const auto n = static_cast<Eigen::Index>(mesh.points.size());
+  Dense matrix(n, n);
+  Mesh unit = mesh;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Point& p : unit.points) p = {};
+    unit.points[static_cast<std::size_t>(j)] = {1, 0, 0};
+    const auto limits = limit_positions(unit, rules).value();
+    for (Eigen::Index i = 0; i < n; ++i) matrix(i, j) = limits[static_cast<std::size_t>(i)][0];
+  }
+  return matrix;
+}
+
+Dense dense_points(const std::vector<Point>& points) {
+  Dense matrix(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = points[i][k];
+    }
+  }
+  return matrix;
+}
+
+std::vector<Point> points_of(const Dense& matrix) {
+  std::vector<Point> points;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    points.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2)});
+  }
+  return points;
+}
+
+TEST(Interpolation, PassesThroughEveryPointWithEverySolver) {
+  test::check("interpolation", 40, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    const Solver solver = *rc::gen::element(Solver::chebyshev, Solver::richardson, Solver::gauss_seidel);
+    const auto result = interpolate(mesh, {.rules = rules, .solver = solver, .tolerance = 1e-13});
+    RC_ASSERT(result.has_value());
+    RC_ASSERT(result->report.converged);
+    const auto certificate = certify(result->control, mesh.points, rules);
+    RC_ASSERT(certificate->max < 2e-13);
+    RC_ASSERT(std::abs(certificate->max - result->report.final.max) < 1e-15);
+  });
+}
+
+TEST(Interpolation, EqualsADenseSolve) {
+  test::check("dense solve", 12, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    const Dense solution =
+        dense_operator(mesh, rules).partialPivLu().solve(dense_points(mesh.points));
+    const auto result = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
+    RC_ASSERT(result.has_value());
+    RC_ASSERT(test::max_distance(result->control.points, points_of(solution)) < 1e-11);
+  });
+}
+
+TEST(Interpolation, ConjugateGradientsAgreeWhereTheyApply) {
+  test::check("conjugate gradients", 20, [] {
+    const Mesh mesh = test::any_mesh(false);
+    const Rules rules = test::any_rules();
+    const auto a = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
+    const auto b = interpolate(
+        mesh, {.rules = rules, .solver = Solver::conjugate_gradient, .tolerance = 1e-14});
+    RC_ASSERT(a.has_value());
+    RC_ASSERT(b.has_value());
+    RC_ASSERT(test::max_distance(a->control.points, b->control.points) < 1e-11);
+  });
+}
+
+TEST(Interpolation, ConjugateGradientsRefuseDartsByName) {
+  Mesh mesh = test::icosahedron();
+  mesh.creases = {{{0, 11}, 10}};
+  const auto result = Interpolator::create(mesh, {.solver = Solver::conjugate_gradient});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::unsuitable_for_scheme);
+  EXPECT_EQ(result.error().place.vertex, 0U);
+}
+
+// Equations (1) and (2) of the paper, in the plainest code there is, on a closed mesh.
+TEST(Interpolation, RichardsonIsThePapersIteration) {
+  const Mesh given = test::random_mesh({.seed = 9, .kind = 1});
+  const Topology topology = Topology::build(given).value();
+  std::vector<Point> x = given.points;
+  const double side = bounding_box(given.points).side();
+  std::vector<double> errors;
+  for (int k = 0; k < 12; ++k) {
+    std::vector<Point> next = x;
+    double largest = 0;
+    for (Index v = 0; v < given.vertex_count(); ++v) {
+      const double n = topology.valence(v);
+      const double c = 3.0 / 8 + std::cos(2 * M_PI / n) / 4;
+      const double beta = 3 / (11 - 8 * (3.0 / 8 + c * c));
+      Point ring = {};
+      topology.for_each_spoke(v, [&](Index w, Index) {
+        for (std::size_t i = 0; i < 3; ++i) ring[i] += x[w][i] / n;
+      });
+      double squared = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double d = given.points[v][i] - (beta * x[v][i] + (1 - beta) * ring[i]);
+        next[v][i] += d;
+        squared += d * d;
+      }
+      largest = std::max(largest, std::sqrt(squared));
+    }
+    errors.push_back(largest / side);
+    x = next;
+  }
+  const auto result = interpolate(
+      given, {.solver = Solver::richardson, .tolerance = 1e-15, .max_iterations = 12});
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->report.converged);
+  ASSERT_EQ(result->report.history.size(), 12U);
+  for (std::size_t k = 0; k < 12; ++k) {
+    EXPECT_NEAR(result->report.history[k].max, errors[k], 1e-15);
+  }
+}
+
+TEST(Interpolation, GoingDirectlyToTheLastIterationIsEnough) {
+  test::check("a-priori bound", 15, [] {
+    const Mesh mesh = test::any_mesh(false);
+    const Rules rules = test::any_rules();
+    const Solver solver = *rc::gen::element(Solver::chebyshev, Solver::richardson);
+    const double tolerance = *rc::gen::element(1e-3, 1e-6, 1e-9);
+    const InterpolateOptions options{.rules = rules, .solver = solver, .tolerance = tolerance, .direct = true};
+    const auto result = interpolate(mesh, options);
+    RC_ASSERT(result.has_value());
+    RC_ASSERT(result->report.converged);
+    const auto predicted = Interpolator::create(mesh, options)->predict(mesh.points);
+    RC_ASSERT(result->report.boundary_iterations == predicted->boundary_sweeps);
+    // Testing after every iteration needs no more.
+    const auto tested = interpolate(mesh, {.rules = rules, .solver = solver, .tolerance = tolerance});
+    RC_ASSERT(tested->report.iterations <= predicted->sweeps + 1);
+  });
+}
+
+TEST(Interpolation, NoBoundIsClaimedForDarts) {
+  Mesh mesh = test::icosahedron();
+  mesh.creases = {{{0, 11}, 10}};
+  const auto solver = Interpolator::create(mesh);
+  ASSERT_TRUE(solver);
+  EXPECT_FALSE(solver->predict(mesh.points));
+  EXPECT_FALSE(Interpolator::create(mesh, {.direct = true}));
+}
+
+TEST(Interpolation, LeavesUnlistedVerticesAlone) {
+  test::check("only", 15, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    std::vector<Index> only;
+    for (Index v = 0; v < mesh.vertex_count(); v += 3) only.push_back(v);
+    const auto result = interpolate(mesh, {.rules = rules, .tolerance = 1e-13, .only = only});
+    RC_ASSERT(result.has_value());
+    RC_ASSERT(result->report.converged);
+    const auto limit = limit_positions(result->control, rules).value();
+    const double side = bounding_box(mesh.points).side();
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (v % 3 == 0) {
+        const Point& p = limit[v];
+        const Point& q = mesh.points[v];
+        RC_ASSERT(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) < 2e-13 * side);
+      } else {
+        RC_ASSERT(result->control.points[v] == mesh.points[v]);
+      }
+    }
+  });
+}
+
+// A channel that holds a linear function of the positions must come out as that of the control points.
+TEST(Interpolation, CarriesChannelsAlong) {
+  Mesh mesh = test::random_mesh({.seed = 4, .kind = 3, .creases = 0.05});
+  Channel channel{"heat", {"a", "b"}, {}};
+  for (const Point& p : mesh.points) {
+    channel.values.push_back(2 * p[0] - p[1] + 0.5);
+    channel.values.push_back(p[2] + 3 * p[1] - 1);
+  }
+  mesh.channels.push_back(channel);
+  const Mesh control = interpolate(mesh, {.tolerance = 1e-14}).value().control;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Point& p = control.points[v];
+    EXPECT_NEAR(control.channels[0].values[2 * v], 2 * p[0] - p[1] + 0.5, 1e-11);
+    EXPECT_NEAR(control.channels[0].values[2 * v + 1], p[2] + 3 * p[1] - 1, 1e-11);
+  }
+}
+
+TEST(Interpolation, OneSetUpServesManyPointSets) {
+  const Mesh mesh = test::random_mesh({.seed = 8, .kind = 4});
+  const auto solver = Interpolator::create(mesh, {.tolerance = 1e-12});
+  ASSERT_TRUE(solver);
+  std::mt19937_64 random(1);
+  for (int frame = 0; frame < 3; ++frame) {
+    const Mesh moved = test::jitter(mesh, random, 0.1);
+    const auto many = solver->solve(moved.points);
+    const auto once = interpolate(moved, {.tolerance = 1e-12});
+    ASSERT_TRUE(many && once);
+    EXPECT_EQ(many->points, once->control.points);
+  }
+}
+
+TEST(Interpolation, TellsWhenTheInteriorRuleIsSingular) {
+  // An open fan of three triangles: with the interior rule its operator has the eigenvalue zero along
+  // a combination found by the factorisation, or a solution that a dense solve confirms.
+  for (const Mesh& mesh : {test::triangle_grid(4, 4), test::triangle_grid(3, 6), test::bipyramid(5)}) {
+    const Rules rules{Scheme::loop, Boundary::interior};
+    const Dense matrix = dense_operator(mesh, rules);
+    const double smallest = matrix.jacobiSvd().singularValues().minCoeff();
+    const auto result = interpolate(mesh, {.rules = rules, .tolerance = 1e-12});
+    if (smallest > 1e-8) {
+      ASSERT_TRUE(result) << describe(result.error());
+      EXPECT_TRUE(result->report.converged);
+      EXPECT_LT(certify(result->control, mesh.points, rules)->max, 1e-11);
+    } else {
+      ASSERT_FALSE(result);
+      EXPECT_EQ(result.error().code, ErrorCode::singular);
+    }
+  }
+}
+
+TEST(Interpolation, StopsWhenAsked) {
+  const Mesh mesh = test::random_mesh({.seed = 2, .kind = 0});
+  std::atomic<bool> cancel{false};
+  Context context;
+  context.cancel = &cancel;
+  int reports = 0;
+  context.progress = [&](const Progress& p) {
+    if (p.iteration == 3) cancel = true;
+    ++reports;
+  };
+  const auto result = interpolate(mesh, {.tolerance = 1e-15}, context);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::cancelled);
+  EXPECT_LT(reports, 8);
+}
+
+TEST(Interpolation, ReportsItsErrorsHonestly) {
+  const Mesh mesh = test::octahedron();
+  const auto r = interpolate(mesh, {.tolerance = 1e-14}).value();
+  // All vertices are alike: limit 24/55, so the first error is (1 - 24/55) / 2 of the box side 2.
+  EXPECT_NEAR(r.report.initial.max, (1 - 24.0 / 55) / 2, 1e-15);
+  EXPECT_NEAR(r.report.initial.mean, (1 - 24.0 / 55) / 2, 1e-15);
+  EXPECT_NEAR(r.control.points[0][0], 55.0 / 24, 1e-13);
+  EXPECT_EQ(r.report.box_side, 2);
+  EXPECT_EQ(r.report.boundary_iterations, 0U);
+  EXPECT_EQ(r.control.annotation("scheme"), "loop");
+}
+
+TEST(Interpolation, WorksAtEveryScaleOfCoordinates) {
+  const Mesh base = test::random_mesh({.seed = 12, .kind = 3});
+  const auto expected = interpolate(base, {.tolerance = 1e-12}).value();
+  for (const double scale : {1e-300, 1e-30, 1e30, 1e200}) {
+    Mesh mesh = base;
+    for (Point& p : mesh.points) {
+      for (double& x : p) x *= scale;
+    }
+    for (const Solver solver : {Solver::chebyshev, Solver::conjugate_gradient}) {
+      const auto result = interpolate(mesh, {.solver = solver, .tolerance = 1e-12});
+      ASSERT_TRUE(result) << describe(result.error());
+      EXPECT_TRUE(result->report.converged) << scale;
+      EXPECT_NEAR(result->control.points[5][0] / scale, expected.control.points[5][0], 1e-10);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surpass

@@ -1,0 +1,126 @@
+// Laws that hold for every mesh, whatever the masks are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include "generators.hpp"
+
+namespace surpass {
+namespace {
+
+Point transformed(const Point& p) {
+  return {0.3 * p[0] - 2 * p[1] + 0.1 * p[2] + 5, p[0] + p[1] - p[2] - 3, 0.7 * p[2] + 0.2 * p[0]};
+}
+
+Mesh transformed(Mesh mesh) {
+  for (Point& p : mesh.points) p = transformed(p);
+  return mesh;
+}
+
+std::vector<Index> shuffled_numbers(Index n, std::uint64_t seed) {
+  std::vector<Index> to(n);
+  std::iota(to.begin(), to.end(), Index{0});
+  std::mt19937_64 random(seed);
+  for (Index i = n; i > 1; --i) std::swap(to[i - 1], to[random() % i]);
+  return to;
+}
+
+Mesh renumbered(const Mesh& mesh, const std::vector<Index>& to) {
+  Mesh out = mesh;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) out.points[to[v]] = mesh.points[v];
+  for (Index& v : out.face_vertices) v = to[v];
+  for (Crease& c : out.creases) {
+    for (Index& v : c.vertices) v = to[v];
+  }
+  for (Corner& c : out.corners) c.vertex = to[c.vertex];
+  return out;
+}
+
+// The same faces, in another order and starting from other corners.
+Mesh rotated(const Mesh& mesh, std::uint64_t seed) {
+  Mesh out = mesh;
+  out.face_offsets = {0};
+  out.face_vertices.clear();
+  std::mt19937_64 random(seed);
+  for (const Index f : shuffled_numbers(mesh.face_count(), seed)) {
+    std::vector<Index> face(mesh.face(f).begin(), mesh.face(f).end());
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % 3), face.end());
+    out.add_face(face);
+  }
+  return out;
+}
+
+TEST(Laws, AffineInvariance) {
+  test::check("affine", 30, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    const auto control = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
+    const auto moved = interpolate(transformed(mesh), {.rules = rules, .tolerance = 1e-14});
+    RC_ASSERT(control && moved);
+    const Mesh expected = transformed(control->control);
+    RC_ASSERT(test::max_distance(moved->control.points, expected.points) < 1e-10);
+  });
+}
+
+TEST(Laws, VertexNumbersDoNotMatter) {
+  test::check("permutation", 30, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    const auto to = shuffled_numbers(mesh.vertex_count(), *rc::gen::arbitrary<std::uint64_t>());
+    const auto a = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
+    const auto b = interpolate(renumbered(mesh, to), {.rules = rules, .tolerance = 1e-14});
+    RC_ASSERT(a && b);
+    std::vector<Point> back(mesh.points.size());
+    for (Index v = 0; v < mesh.vertex_count(); ++v) back[v] = b->control.points[to[v]];
+    RC_ASSERT(test::max_distance(a->control.points, back) < 1e-11);
+  });
+}
+
+TEST(Laws, FaceOrderAndFirstCornersDoNotMatter) {
+  test::check("rotation", 30, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    const Mesh turned = rotated(mesh, *rc::gen::arbitrary<std::uint64_t>());
+    const auto a = limit_positions(mesh, rules);
+    const auto b = limit_positions(turned, rules);
+    RC_ASSERT(a && b);
+    RC_ASSERT(test::max_distance(*a, *b) < 1e-14);
+    const auto na = limit_normals(mesh, rules);
+    const auto nb = limit_normals(turned, rules);
+    RC_ASSERT(test::max_distance(*na, *nb) < 1e-9);
+  });
+}
+
+TEST(Laws, RefinementKeepsTheLimit) {
+  test::check("refine", 30, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    const auto before = limit_positions(mesh, rules);
+    const auto refined = refine(mesh, rules, *rc::gen::inRange(1, 4));
+    RC_ASSERT(before && refined);
+    auto after = limit_positions(*refined, rules).value();
+    after.resize(mesh.points.size());
+    RC_ASSERT(test::max_distance(*before, after) < 1e-13);
+  });
+}
+
+TEST(Laws, MirrorImagesHaveMirroredNormals) {
+  test::check("mirror", 20, [] {
+    const Mesh mesh = test::any_mesh(true);
+    const Rules rules = test::any_rules();
+    Mesh mirrored = mesh;
+    for (Point& p : mirrored.points) p[0] = -p[0];
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      std::reverse(mirrored.face_vertices.begin() + mesh.face_offsets[f],
+                   mirrored.face_vertices.begin() + mesh.face_offsets[f + 1]);
+    }
+    auto expected = limit_normals(mesh, rules).value();
+    for (Point& n : expected) n[0] = -n[0];
+    RC_ASSERT(test::max_distance(limit_normals(mirrored, rules).value(), expected) < 1e-9);
+  });
+}
+
+}  // namespace
+}  // namespace surpass

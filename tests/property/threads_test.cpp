@@ -1,0 +1,68 @@
+// The same bits on any number of threads, on meshes large enough to be cut into many chunks.
+#include <gtest/gtest.h>
+
+#include "support/meshes.hpp"
+
+namespace surpass {
+namespace {
+
+const Mesh& large_mesh() {
+  static const Mesh mesh = [] {
+    std::mt19937_64 random(17);
+    Mesh m = refine(test::random_mesh({.seed = 17, .kind = 3, .size = 10, .creases = 0.05}), {}, 4).value();
+    m.channels.push_back({"weight", {"weight"}, {}});
+    for (const Point& p : m.points) m.channels[0].values.push_back(p[0] * p[1]);
+    return test::jitter(m, random, 0.01);
+  }();
+  return mesh;
+}
+
+TEST(Threads, InterpolationHasTheSameBits) {
+  ASSERT_GT(large_mesh().points.size(), 20000U);
+  for (const Solver solver : {Solver::chebyshev, Solver::richardson}) {
+    for (const Boundary boundary : {Boundary::edge_and_corner, Boundary::hoppe}) {
+      const InterpolateOptions options{.rules = {Scheme::loop, boundary}, .solver = solver, .tolerance = 1e-8};
+      Context context;
+      context.threads = 1;
+      const auto one = interpolate(large_mesh(), options, context);
+      ASSERT_TRUE(one);
+      for (const int threads : {2, 3, 8}) {
+        context.threads = threads;
+        const auto many = interpolate(large_mesh(), options, context);
+        ASSERT_TRUE(many);
+        EXPECT_EQ(one->control, many->control) << threads;
+        EXPECT_EQ(one->report.final.max, many->report.final.max);
+        EXPECT_EQ(one->report.final.mean, many->report.final.mean);
+      }
+    }
+  }
+}
+
+TEST(Threads, ConjugateGradientsHaveTheSameBits) {
+  Mesh mesh = large_mesh();
+  mesh.creases.clear();
+  mesh.corners.clear();
+  const InterpolateOptions options{.solver = Solver::conjugate_gradient, .tolerance = 1e-8};
+  Context context;
+  context.threads = 1;
+  const auto one = interpolate(mesh, options, context);
+  ASSERT_TRUE(one) << describe(one.error());
+  for (const int threads : {2, 3, 8}) {
+    context.threads = threads;
+    EXPECT_EQ(one->control, interpolate(mesh, options, context)->control) << threads;
+  }
+}
+
+TEST(Threads, LimitSurfacesHaveTheSameBits) {
+  Context context;
+  context.threads = 1;
+  const auto one = limit_mesh(large_mesh(), {}, 1, context);
+  ASSERT_TRUE(one);
+  for (const int threads : {2, 3, 8}) {
+    context.threads = threads;
+    EXPECT_EQ(*one, *limit_mesh(large_mesh(), {}, 1, context)) << threads;
+  }
+}
+
+}  // namespace
+}  // namespace surpass

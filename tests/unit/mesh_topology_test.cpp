@@ -1,0 +1,268 @@
+#include <surpass/topology.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "mesh_samples.hpp"
+
+namespace surpass {
+namespace {
+
+using samples::Face;
+
+Topology built(const Mesh& mesh) {
+  auto topology = Topology::build(mesh);
+  EXPECT_TRUE(topology) << describe(topology.error());
+  return *std::move(topology);
+}
+
+std::vector<Index> ring(const Topology& topology, Index v) {
+  std::vector<Index> neighbours;
+  topology.for_each_spoke(v, [&](Index w, Index e) {
+    neighbours.push_back(w);
+    const auto ends = topology.edge_vertices(e);
+    EXPECT_TRUE((ends == std::array{v, w}) || (ends == std::array{w, v}));
+  });
+  return neighbours;
+}
+
+// The same cyclic sequence, begun at the smallest element.
+std::vector<Index> cyclic(std::vector<Index> list) {
+  std::rotate(list.begin(), std::min_element(list.begin(), list.end()), list.end());
+  return list;
+}
+
+Error refusal_of(const Mesh& mesh) {
+  const auto topology = Topology::build(mesh);
+  EXPECT_FALSE(topology);
+  return topology ? Error{} : topology.error();
+}
+
+TEST(Topology, RingsOfACubeTurnCounterclockwise) {
+  const Topology t = built(samples::cube());
+  EXPECT_EQ(t.edge_count(), 12U);
+  EXPECT_EQ(t.boundary_edge_count(), 0U);
+  // Seen from outside the corner (0,0,0): x, then z, then y would be clockwise about (-1,-1,-1).
+  EXPECT_EQ(cyclic(ring(t, 0)), (Face{1, 4, 2}));
+  EXPECT_EQ(cyclic(ring(t, 7)), (Face{3, 6, 5}));
+  for (Index v = 0; v < 8; ++v) {
+    EXPECT_EQ(t.valence(v), 3U);
+    EXPECT_EQ(t.faces_at(v), 3U);
+    EXPECT_FALSE(t.is_boundary(v));
+    EXPECT_FALSE(t.is_bowtie(v));
+  }
+}
+
+TEST(Topology, OpenFanBeginsAndEndsOnTheBoundary) {
+  const Topology t = built(samples::grid(2));
+  EXPECT_EQ(ring(t, 0), (Face{1, 3}));
+  EXPECT_EQ(ring(t, 1), (Face{2, 4, 0}));
+  EXPECT_EQ(ring(t, 5), (Face{8, 4, 2}));
+  EXPECT_EQ(cyclic(ring(t, 4)), (Face{1, 5, 7, 3}));
+  EXPECT_TRUE(t.is_boundary(1));
+  EXPECT_FALSE(t.is_boundary(4));
+  EXPECT_EQ(t.boundary_edge_count(), 8U);
+}
+
+TEST(Topology, HalfEdgesAgreeWithTheFaces) {
+  for (const Mesh& mesh : {samples::cube(), samples::grid(3), samples::tetrahedron(),
+                           samples::torus(5, 7, false), samples::wheel(9, true)}) {
+    const Topology t = built(mesh);
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      for (Index h = mesh.face_offsets[f]; h < mesh.face_offsets[f + 1]; ++h) {
+        EXPECT_EQ(t.face(h), f);
+        EXPECT_EQ(t.previous(t.next(h)), h);
+        EXPECT_EQ(t.head(h), t.tail(t.next(h)));
+        const Index other = t.opposite(h);
+        if (other == kNone) continue;
+        EXPECT_EQ(t.opposite(other), h);
+        EXPECT_EQ(t.tail(other), t.head(h));
+        EXPECT_EQ(t.head(other), t.tail(h));
+        EXPECT_EQ(t.edge(other), t.edge(h));
+        EXPECT_EQ(t.find_edge(t.tail(h), t.head(h)), t.edge(h));
+      }
+    }
+    EXPECT_EQ(t.find_edge(0, 0), kNone);
+  }
+}
+
+TEST(Topology, BowtieOfTwoOpenFans) {
+  const Topology t = built(samples::faces(5, {{0, 1, 2}, {0, 3, 4}}));
+  EXPECT_TRUE(t.is_bowtie(0));
+  EXPECT_TRUE(t.is_boundary(0));
+  EXPECT_EQ(t.further_fans(0).size(), 1U);
+  EXPECT_EQ(ring(t, 0), (Face{1, 2, 3, 4}));
+  EXPECT_EQ(t.valence(0), 4U);
+  EXPECT_EQ(t.faces_at(0), 2U);
+  const auto loops = boundary_loops(t);
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_EQ(loops[0].size(), 3U);
+  EXPECT_EQ(loops[1].size(), 3U);
+  EXPECT_EQ(find_components(t).count, 1U);
+}
+
+TEST(Topology, BowtieOfClosedFans) {
+  // Two tetrahedra that share vertex 0.
+  const Topology t = built(samples::faces(
+      7, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {0, 6, 5}}));
+  EXPECT_TRUE(t.is_bowtie(0));
+  EXPECT_FALSE(t.is_boundary(0));
+  EXPECT_EQ(t.valence(0), 6U);
+  EXPECT_EQ(t.faces_at(0), 6U);
+  auto all = ring(t, 0);
+  EXPECT_EQ(cyclic(Face(all.begin(), all.begin() + 3)), (Face{1, 3, 2}));
+  EXPECT_EQ(cyclic(Face(all.begin() + 3, all.end())), (Face{4, 6, 5}));
+}
+
+TEST(Topology, BowtieOfAnOpenAndAClosedFan) {
+  // The closed fan has the smaller half-edges, but the open one comes first.
+  const Topology t =
+      built(samples::faces(6, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {4, 5, 0}}));
+  EXPECT_TRUE(t.is_bowtie(0));
+  EXPECT_TRUE(t.is_boundary(0));
+  const auto all = ring(t, 0);
+  ASSERT_EQ(all.size(), 5U);
+  EXPECT_EQ(Face(all.begin(), all.begin() + 2), (Face{4, 5}));
+  EXPECT_EQ(t.opposite(t.outgoing(0)), kNone);
+  EXPECT_EQ(t.opposite(t.previous(t.outgoing(0))), kNone);
+}
+
+TEST(Topology, IsolatedVerticesHaveNoRing) {
+  Mesh mesh = samples::tetrahedron();
+  mesh.points.push_back({5, 5, 5});
+  const Topology t = built(mesh);
+  EXPECT_TRUE(t.is_isolated(4));
+  EXPECT_EQ(t.valence(4), 0U);
+  const Components parts = find_components(t);
+  EXPECT_EQ(parts.count, 1U);
+  EXPECT_EQ(parts.of_vertex[4], kNone);
+  EXPECT_EQ(built(Mesh{}).edge_count(), 0U);
+}
+
+TEST(Topology, PillowOfTwoFacesIsClosed) {
+  const Topology t = built(samples::faces(3, {{0, 1, 2}, {0, 2, 1}}));
+  EXPECT_EQ(t.edge_count(), 3U);
+  EXPECT_EQ(t.boundary_edge_count(), 0U);
+  EXPECT_EQ(t.valence(0), 2U);
+}
+
+TEST(Topology, PoleOfAnyValenceKeepsItsOrder) {
+  for (const bool closed : {true, false}) {
+    const Topology t = built(samples::wheel(1000, closed));
+    Face expected(1000);
+    std::iota(expected.begin(), expected.end(), Index{1});
+    EXPECT_EQ(cyclic(ring(t, 0)), expected);
+    EXPECT_EQ(t.faces_at(0), closed ? 1000U : 999U);
+    EXPECT_EQ(t.is_boundary(0), !closed);
+  }
+}
+
+TEST(Topology, BoundaryLoopsFollowTheHoles) {
+  Mesh all = samples::grid(3);
+  Mesh mesh;
+  mesh.points = all.points;
+  for (Index f = 0; f < all.face_count(); ++f) {
+    if (f != 4) mesh.add_face(all.face(f));
+  }
+  const Topology t = built(mesh);
+  const auto loops = boundary_loops(t);
+  ASSERT_EQ(loops.size(), 2U);
+  std::multiset<std::size_t> lengths;
+  for (const auto& loop : loops) {
+    lengths.insert(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      EXPECT_EQ(t.opposite(loop[i]), kNone);
+      EXPECT_EQ(t.head(loop[i]), t.tail(loop[(i + 1) % loop.size()]));
+    }
+  }
+  EXPECT_EQ(lengths, (std::multiset<std::size_t>{4, 12}));
+}
+
+TEST(Topology, ComponentsAreNumberedByTheirFirstVertex) {
+  const Topology t = built(samples::faces(9, {{7, 8, 1}, {0, 3, 5}, {4, 2, 6}}));
+  const Components parts = find_components(t);
+  EXPECT_EQ(parts.count, 3U);
+  EXPECT_EQ(parts.of_vertex, (std::vector<Index>{0, 1, 2, 0, 2, 0, 2, 1, 1}));
+}
+
+TEST(Topology, PermutedVerticesGivePermutedRings) {
+  const Mesh mesh = samples::torus(6, 5, false);
+  const Topology t = built(mesh);
+  std::vector<Index> number(mesh.points.size());
+  std::iota(number.begin(), number.end(), Index{0});
+  std::shuffle(number.begin(), number.end(), std::mt19937(7));
+  Mesh permuted = mesh;
+  for (Index& v : permuted.face_vertices) v = number[v];
+  const Topology p = built(permuted);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    auto expected = ring(t, v);
+    for (Index& w : expected) w = number[w];
+    EXPECT_EQ(cyclic(ring(p, number[v])), cyclic(expected));
+  }
+}
+
+TEST(Topology, EdgesAreNumberedByTheirSmallerVertex) {
+  const Topology t = built(samples::torus(6, 5, false));
+  Index last = 0;
+  for (Index e = 0; e < t.edge_count(); ++e) {
+    const auto [a, b] = t.edge_vertices(e);
+    EXPECT_GE(std::min(a, b), last);
+    last = std::min(a, b);
+  }
+}
+
+TEST(TopologyRefuses, FacesOfTwoVertices) {
+  const Error error = refusal_of(samples::faces(4, {{0, 1, 2}, {1, 2}}));
+  EXPECT_EQ(error.code, ErrorCode::degenerate_face);
+  EXPECT_EQ(error.place.face, 1U);
+}
+
+TEST(TopologyRefuses, VerticesOutOfRange) {
+  const Error error = refusal_of(samples::faces(4, {{0, 1, 2}, {0, 1, 4}}));
+  EXPECT_EQ(error.code, ErrorCode::index_out_of_range);
+  EXPECT_EQ(error.place.face, 1U);
+}
+
+TEST(TopologyRefuses, RepeatedVerticesInSmallAndLargeFaces) {
+  Error error = refusal_of(samples::faces(4, {{0, 1, 2}, {3, 2, 3}}));
+  EXPECT_EQ(error.code, ErrorCode::repeated_vertex);
+  EXPECT_EQ(error.place.face, 1U);
+  EXPECT_EQ(error.place.vertex, 3U);
+  Face large(100);
+  std::iota(large.begin(), large.end(), Index{0});
+  large[77] = 13;
+  error = refusal_of(samples::faces(100, {large}));
+  EXPECT_EQ(error.code, ErrorCode::repeated_vertex);
+  EXPECT_EQ(error.place.vertex, 13U);
+}
+
+TEST(TopologyRefuses, ThreeFacesAtAnEdge) {
+  const Error error = refusal_of(samples::faces(6, {{3, 4, 5}, {0, 1, 2}, {1, 0, 3}, {0, 1, 4}}));
+  EXPECT_EQ(error.code, ErrorCode::non_manifold_edge);
+  EXPECT_EQ(error.place.edge, (std::array<Index, 2>{0, 1}));
+  EXPECT_EQ(error.place.face, 1U);
+}
+
+TEST(TopologyRefuses, NeighboursThatDisagree) {
+  const Error error = refusal_of(samples::faces(4, {{0, 1, 2}, {1, 2, 3}}));
+  EXPECT_EQ(error.code, ErrorCode::inconsistent_orientation);
+  EXPECT_EQ(error.place.edge, (std::array<Index, 2>{1, 2}));
+  EXPECT_EQ(error.place.face, 0U);
+  EXPECT_EQ(refusal_of(samples::band(5)).code, ErrorCode::inconsistent_orientation);
+}
+
+TEST(TopologyRefuses, WrongEdgesAtAPole) {
+  Mesh mesh = samples::wheel(1000, true);
+  mesh.points.push_back({0, 0, 1});
+  mesh.add_face(Face{0, 500, 1001});
+  const Error error = refusal_of(mesh);
+  EXPECT_EQ(error.code, ErrorCode::non_manifold_edge);
+  EXPECT_EQ(error.place.edge, (std::array<Index, 2>{0, 500}));
+}
+
+}  // namespace
+}  // namespace surpass
