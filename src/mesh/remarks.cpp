@@ -1,7 +1,5 @@
 #include "mesh/remarks.hpp"
 
-#include <surpass/topology.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -41,9 +39,9 @@ class Remarker {
   Remarker(const Mesh& mesh, std::span<const unsigned char> skip, std::size_t limit)
       : mesh_(mesh), skip_(skip), limit_(limit) {}
 
-  std::vector<std::string> run() {
+  std::vector<std::string> run(const Topology* topology) {
     if (mesh_.face_count() == 0) remarks_.push_back("the mesh has no faces");
-    if (const auto topology = Topology::build(mesh_)) {
+    if (topology != nullptr) {
       remark_on_bowties(*topology);
       remark_on_back_to_back(*topology);
       remark_on_creases(*topology);
@@ -200,9 +198,9 @@ class Remarker {
 
 }  // namespace
 
-std::vector<std::string> remarks_on(const Mesh& mesh, std::span<const unsigned char> skip,
-                                    std::size_t limit) {
-  return Remarker(mesh, skip, limit).run();
+std::vector<std::string> remarks_on(const Mesh& mesh, const Topology* topology,
+                                    std::span<const unsigned char> skip, std::size_t limit) {
+  return Remarker(mesh, skip, limit).run(topology);
 }
 
 }  // namespace surpass
