@@ -33,7 +33,8 @@ TEST(Usage, TheNearestOptionIsSuggested) {
                      "did you mean '--tolerance'? See surpass interpolate --help");
   expect_usage_error({"subdivide", given, "-o", "x.obj", "--level", "1"},
                      "did you mean '--levels'?");
-  expect_usage_error({"inspect", given, "--xyzzyx"}, "there is no option '--xyzzyx'");
+  expect_usage_error({"inspect", given, "--xyzzyx"}, "there is no option '--xyzzyx'; see");
+  expect_usage_error({"convert", given, "-o", "x.ply"}, "there is no option '-o'; see");
 }
 
 TEST(Usage, TheNearestValueIsSuggested) {
@@ -72,7 +73,7 @@ TEST(Usage, OutputsThatCannotBeMeant) {
   const TempFolder folder;
   const std::string given = folder.file("given.obj", slurp(data("octahedron.obj")));
   expect_usage_error({"interpolate", given, "-o", given}, "add --force to replace it");
-  expect_usage_error({"interpolate", given, "-o", folder / "." / "given.obj"}, "is an input");
+  expect_usage_error({"interpolate", given, "-o", folder / "./given.obj"}, "is an input");
   std::filesystem::create_symlink(given, folder / "link.obj");
   expect_usage_error({"interpolate", given, "-o", folder / "link.obj"}, "is an input");
   expect_usage_error({"interpolate", given, "-o", folder / "a.obj", "--surface", folder / "a.obj"},
