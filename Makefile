@@ -26,8 +26,9 @@ bench: need-bench  ## time Surpass beside other libraries; figures go to bench/r
 	@cmake --build build/bench -j $(JOBS)
 	@bench/run.sh build/bench bench/results
 
-papers: need-papers  ## repeat the figures of the papers into docs/papers; needs DATA=DIR
-	@tools/papers.sh "$(DATA)"
+papers: need-papers build/release/build.ninja  ## repeat the figures of the papers into docs/papers; needs DATA=DIR
+	@cmake --build build/release --target surpass_app -j $(JOBS)
+	@python3 tools/papers.py build/release/surpass "$(DATA)" docs/papers
 
 format: need-format  ## rewrite the sources in the project's format
 	@tools/sources.sh | xargs clang-format -i

@@ -18,11 +18,12 @@ int run(int argc, char** argv) {
   Workloads workloads(std::filesystem::temp_directory_path() / "surpass_bench");
   Harness harness(workloads);
   for (const auto side : kSides) {
-    for (const auto add : {add_anchors, add_surpass, add_opensubdiv, add_openmesh, add_cgal,
+    for (const auto add : {add_surpass, add_anchors, add_opensubdiv, add_openmesh, add_cgal,
                            add_tinyobjloader, add_assimp, add_cholmod, add_eigen}) {
       add(harness, side);
     }
   }
+  harness.schedule();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   for (const auto& [key, value] : machine_facts()) benchmark::AddCustomContext(key, value);

@@ -63,10 +63,10 @@ void add_cgal(Harness& harness, Index side) {
       side, [](const Workload& w) { return [&mesh = w.mesh()] { return build(mesh); }; },
       judge_connectivity);
   harness.add(
-      {.step = "read OBJ", .tool = "CGAL", .counted = "IO::read_polygon_soup"}, side,
+      {.step = "read OBJ", .tool = "CGAL", .counted = "IO::read_polygon_soup", .slow = true}, side,
       [](const Workload& w) { return [path = w.obj()] { return read(path); }; }, judge_soup);
   harness.add(
-      {.step = "read PLY", .tool = "CGAL", .counted = "IO::read_polygon_soup"}, side,
+      {.step = "read PLY", .tool = "CGAL", .counted = "IO::read_polygon_soup", .slow = true}, side,
       [](const Workload& w) { return [path = w.ply()] { return read(path); }; }, judge_soup);
 }
 

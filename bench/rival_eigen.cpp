@@ -1,5 +1,7 @@
 // Eigen: conjugate gradients and LDLT on the symmetric system, and the limit as a matrix product.
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
@@ -52,36 +54,48 @@ Verdict judge(const Workload& workload, const Solved& solved) {
   return verdict;
 }
 
-auto prepare_cg_from_faces(const Workload& workload) {
-  return [&mesh = workload.mesh(), tolerance = loosest_tolerance(workload)] {
-    return solve_from_faces(mesh, tolerance);
-  };
-}
+// Matrix and preconditioner, which refers to it.
+struct Kept {
+  ColumnMatrix system;
+  Iteration solver;
+};
 
-auto prepare_cg_again(const Workload& workload) {
-  struct Kept {
-    ColumnMatrix system;
-    Iteration solver;
-  };
+std::shared_ptr<Kept> set_up(const Workload& workload, double tolerance) {
   auto kept = std::make_shared<Kept>();
   kept->system = symmetric_system(workload.mesh());
   kept->solver.compute(kept->system);
-  kept->solver.setTolerance(loosest_tolerance(workload));
-  return [&mesh = workload.mesh(), kept] {
-    return iterate(kept->solver, right_hand_sides(kept->system, mesh.points), as_rows(mesh.points));
-  };
+  kept->solver.setTolerance(tolerance);
+  return kept;
 }
 
 void add_cg(Harness& harness, Index side) {
-  harness.add({.step = "solve from faces",
-               .tool = "Eigen CG",
-               .counted = "assembly of S, Jacobi preconditioner, 3 right-hand sides one after the "
-                          "other from the given points, to the same error"},
-              side, prepare_cg_from_faces, judge);
-  harness.add({.step = "solve again",
-               .tool = "Eigen CG",
-               .counted = "right-hand sides and 3 solves, matrix and preconditioner kept"},
-              side, prepare_cg_again, judge);
+  const auto found = std::make_shared<std::optional<double>>();  // once for both steps
+  const auto tolerance = [found](const Workload& w) {
+    if (!*found) *found = loosest_tolerance(w);
+    return **found;
+  };
+  harness.add(
+      {.step = "solve from faces",
+       .tool = "Eigen CG",
+       .counted = "assembly of S, Jacobi preconditioner, 3 right-hand sides one after the "
+                  "other from the given points, to the same error"},
+      side,
+      [tolerance](const Workload& w) {
+        return [&mesh = w.mesh(), t = tolerance(w)] { return solve_from_faces(mesh, t); };
+      },
+      judge);
+  harness.add(
+      {.step = "solve again",
+       .tool = "Eigen CG",
+       .counted = "right-hand sides and 3 solves, matrix and preconditioner kept"},
+      side,
+      [tolerance](const Workload& w) {
+        return [&mesh = w.mesh(), kept = set_up(w, tolerance(w))] {
+          return iterate(kept->solver, right_hand_sides(kept->system, mesh.points),
+                         as_rows(mesh.points));
+        };
+      },
+      judge);
 }
 
 void add_ldlt(Harness& harness, Index side) {

@@ -63,11 +63,17 @@ void add_openmesh(Harness& harness, Index side) {
       side, [](const Workload& w) { return [&mesh = w.mesh()] { return build(mesh); }; },
       judge_connectivity);
   harness.add(
-      {.step = "read OBJ to topology", .tool = "OpenMesh", .counted = "IO::read_mesh"}, side,
-      [](const Workload& w) { return [path = w.obj()] { return read(path); }; }, judge_mesh);
+      {.step = "read OBJ to topology",
+       .tool = "OpenMesh",
+       .counted = "IO::read_mesh",
+       .slow = true},
+      side, [](const Workload& w) { return [path = w.obj()] { return read(path); }; }, judge_mesh);
   harness.add(
-      {.step = "read PLY to topology", .tool = "OpenMesh", .counted = "IO::read_mesh"}, side,
-      [](const Workload& w) { return [path = w.ply()] { return read(path); }; }, judge_mesh);
+      {.step = "read PLY to topology",
+       .tool = "OpenMesh",
+       .counted = "IO::read_mesh",
+       .slow = true},
+      side, [](const Workload& w) { return [path = w.ply()] { return read(path); }; }, judge_mesh);
 }
 
 }  // namespace surpass::bench

@@ -26,7 +26,7 @@ def load(path):
 
 
 def gather(run):
-    """{(step, vertices): {tool: figures}} in the order of first appearance."""
+    """{(step, vertices): {tool: figures}}, steps and tools in the order of first appearance."""
     groups = {}
     for b in run["benchmarks"]:
         step, vertices, tool = b["name"].split("/")[:3]
@@ -35,21 +35,26 @@ def gather(run):
         )
         figures["wall"].append(b["real_time"])
         figures["processor"].append(b["processor_ms"])
-        figures["wrong"] |= b.get("error_occurred", False)
+        figures["wrong"] |= b["wrong"] != 0
         for key in ("difference", "error", "sweeps"):
             figures[key] = b.get(key)
-    return groups
+    steps = list(dict.fromkeys(step for step, _ in groups))
+    return dict(sorted(groups.items(), key=lambda item: (steps.index(item[0][0]), item[0][1])))
 
 
 def median(figures, clock):
     return statistics.median(figures[clock])
 
 
+def number(x):
+    return f"{x:.3g}" if x < 1000 else f"{x:.0f}"
+
+
 def milliseconds(figures):
     """Median, and the range where there were several runs."""
     times = figures["wall"]
-    text = f"{statistics.median(times):.3g}" if max(times) < 1000 else f"{statistics.median(times):.0f}"
-    return text if len(times) == 1 else f"{text} ({min(times):.3g}..{max(times):.3g})"
+    text = number(statistics.median(times))
+    return text if len(times) == 1 else f"{text} ({number(min(times))}..{number(max(times))})"
 
 
 def row(cells):
@@ -111,14 +116,16 @@ def counted(groups):
 
 
 def lost(groups):
-    """Where another was faster than we are, by wall or processor time."""
+    """Where another was faster than we are, by either clock."""
     lines = []
     for (step, vertices), tools in groups.items():
         for tool, figures in tools.items():
             if OURS not in tools or tool.startswith(OURS) or tool == ANCHOR:
                 continue
-            if (faster := ratio(figures, tools[OURS], "wall")) < 1:
-                lines.append(f"- {step}, {vertices} vertices: {tool} took {faster:.2f} of our time")
+            wall, processor = (ratio(figures, tools[OURS], c) for c in ("wall", "processor"))
+            if min(wall, processor) < 1:
+                lines.append(f"- {step}, {vertices} vertices: {tool} took {wall:.2f} of our time "
+                             f"({processor:.2f} of our processor time)")
     return lines or ["None in this run."]
 
 

@@ -19,10 +19,9 @@ for given in data/jug.obj data/twisted_ring.obj data/trefoil.ply; do
   run interpolate "$given" -o "$out/$name.control.obj" --tolerance 1e-12 \
     --surface "$out/$name.surface.ply" --levels 3 --report "$out/$name.json"
   run check "$out/$name.control.obj" --against "$given" --tolerance 1e-12 --oracle
-  run render "$given" -o "$out/$name.given.png"
-  run render "$out/$name.surface.ply" -o "$out/$name.surface.png"
+  run render "$out/$name.surface.ply" --beside "$given" --points -o "$out/$name.png"
 done
 
 echo
 echo "The files are in $out: for every mesh NAME.control.obj, the control mesh; NAME.surface.ply,"
-echo "its surface; NAME.json, the report; NAME.given.png and NAME.surface.png, the pictures."
+echo "its surface; NAME.json, the report; and NAME.png, the given mesh beside the surface."

@@ -9,6 +9,7 @@ std::unique_ptr<Command> make_check();
 std::unique_ptr<Command> make_inspect();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_convert();
+std::unique_ptr<Command> make_render();
 
 std::span<const CommandEntry> commands() {
   static constexpr CommandEntry kCommands[] = {
@@ -20,6 +21,7 @@ std::span<const CommandEntry> commands() {
       {"inspect", "counts, boundaries, valences, creases, and what would be refused", make_inspect},
       {"compare", "distances between two surfaces", make_compare},
       {"convert", "read a mesh in one format and write it in another", make_convert},
+      {"render", "draw a shaded picture without a display", make_render},
   };
   return kCommands;
 }

@@ -49,7 +49,19 @@ struct Deviation {
 
 /// Hausdorff and mean distances in absolute units, triangle to triangle: triangles are split until
 /// the bound is within `accuracy` of the value (relative to the box side of `a`), so that no spike
-/// between vertices is missed. Errors: a mesh without faces.
+/// between vertices is missed. Bounds are proven up to rounding, about 1e-15 of the common box, and
+/// 1e-8 of a triangle's size where that is thinner than 1e-8 of its length. After some 4 million
+/// pieces splitting stops; then the bound is wider than asked, but still a bound.
+///
+/// Mean and rms are integrated over the pieces that are left, none longer than 1/64 of the common
+/// box's side unless its distance is below the accuracy anyway, by a rule on their corners and
+/// centres: exact where the distance (its square) is a quadratic function. Nowhere can the error in
+/// a piece exceed its length or its upper bound.
+///
+/// Cost: a search, O(log #F) usually, for each of the pieces; the more the surfaces cross each
+/// other at distances below the largest, the more pieces. Errors: a mesh without faces, faces with
+/// fewer than three vertices or with vertices that do not exist, coordinates that are not finite,
+/// an accuracy that is not positive, cancelled.
 [[nodiscard]] Result<Deviation> deviation(const Mesh& a, const Mesh& b, double accuracy = 1e-5,
                                           const Context& context = {});
 

@@ -122,6 +122,7 @@ class Topology {
   Result<void> match_halfedges();
   Result<void> explain_conflict(Index a, Index b) const;
   void find_fans();
+  void find_further_fans();
 
   std::vector<Index> face_offsets_;
   std::vector<Index> face_vertices_;

@@ -15,15 +15,37 @@ namespace {
 // Above this many entries a bucket is sorted rather than searched: a vertex can have any valence.
 constexpr std::size_t kSearchedBucket = 32;
 
+// The quick answer for nearly all faces of nearly all meshes.
+bool is_sound_triangle(const Mesh& mesh, Index f) {
+  const Index begin = mesh.face_offsets[f];
+  if (mesh.face_offsets[f + 1] - begin != 3) return false;
+  const Index a = mesh.face_vertices[begin];
+  const Index b = mesh.face_vertices[begin + 1];
+  const Index c = mesh.face_vertices[begin + 2];
+  return a != b && b != c && c != a && std::max({a, b, c}) < mesh.points.size();
+}
+
 Result<void> check_faces(const Mesh& mesh) {
   if (mesh.face_vertices.size() > kMostCorners || mesh.points.size() > kMostCorners) {
     return tl::make_unexpected(refusal::too_large());
   }
   refusal::FaceCheck check(mesh);
   for (Index f = 0; f < mesh.face_count(); ++f) {
+    if (is_sound_triangle(mesh, f)) continue;
     if (auto error = check(f)) return tl::make_unexpected(*std::move(error));
   }
   return {};
+}
+
+// The next entry with this larger vertex, or the bucket's size. Large buckets are sorted, so there
+// only one place is possible.
+std::size_t find_same_edge(std::span<const BucketEntry> bucket, std::size_t from, Index larger) {
+  const std::size_t end =
+      bucket.size() > kSearchedBucket ? std::min(from + 1, bucket.size()) : bucket.size();
+  for (std::size_t i = from; i < end; ++i) {
+    if (bucket[i].larger == larger) return i;
+  }
+  return bucket.size();
 }
 
 }  // namespace
@@ -50,31 +72,27 @@ Result<void> Topology::match_halfedges() {
   edge_halfedge_.reserve(corners / 2 + corners / 16 + 4);
   for (Index v = 0; v < vertex_count(); ++v) {
     const auto bucket = buckets[v];
-    const bool sorted = bucket.size() > kSearchedBucket;
-    if (sorted) EdgeBuckets::sort(bucket);
-    const auto next_of_edge = [&](auto from, Index larger) {
-      if (sorted) return from != bucket.end() && from->larger == larger ? from : bucket.end();
-      return std::find_if(from, bucket.end(),
-                          [larger](const BucketEntry& e) { return e.larger == larger; });
-    };
-    for (auto i = bucket.begin(); i != bucket.end(); ++i) {
-      if (i->larger == kNone) continue;  // matched from its partner
+    if (bucket.size() > kSearchedBucket) EdgeBuckets::sort(bucket);
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      const BucketEntry entry = bucket[i];
+      if (entry.larger == kNone) continue;  // matched from its partner
       const Index e = edge_count();
-      edge_halfedge_.push_back(i->halfedge());
-      edge_[i->halfedge()] = e;
-      const auto partner = next_of_edge(i + 1, i->larger);
-      if (partner == bucket.end()) {
+      edge_halfedge_.push_back(entry.halfedge());
+      edge_[entry.halfedge()] = e;
+      const std::size_t partner = find_same_edge(bucket, i + 1, entry.larger);
+      if (partner == bucket.size()) {
         ++boundary_edges_;
         continue;
       }
-      if (i->reversed() == partner->reversed() ||
-          next_of_edge(partner + 1, i->larger) != bucket.end()) {
-        return explain_conflict(v, i->larger);
+      const BucketEntry other = bucket[partner];
+      if (entry.reversed() == other.reversed() ||
+          find_same_edge(bucket, partner + 1, entry.larger) != bucket.size()) {
+        return explain_conflict(v, entry.larger);
       }
-      edge_[partner->halfedge()] = e;
-      opposite_[i->halfedge()] = partner->halfedge();
-      opposite_[partner->halfedge()] = i->halfedge();
-      partner->larger = kNone;
+      bucket[partner].larger = kNone;
+      edge_[other.halfedge()] = e;
+      opposite_[entry.halfedge()] = other.halfedge();
+      opposite_[other.halfedge()] = entry.halfedge();
     }
   }
   return {};
@@ -100,34 +118,34 @@ Result<void> Topology::explain_conflict(Index a, Index b) const {
 
 // Chooses a start for every fan: the first spoke of an open fan, else the smallest half-edge.
 void Topology::find_fans() {
-  std::vector<Index> faces_seen(vertex_count(), 0);
   for (Index h = 0; h < corner_count(); ++h) {
     const Index v = tail(h);
-    ++faces_seen[v];
-    const bool first_spoke = opposite_[h] == kNone;
-    if (first_spoke) flags_[v] |= kBoundary;
     const Index old = outgoing_[v];
-    if (old == kNone || (first_spoke && opposite_[old] != kNone)) outgoing_[v] = h;
-  }
-  // A bow-tie is a vertex whose first fan does not hold all of its faces.
-  std::vector<Index> bowties;
-  for (Index v = 0; v < vertex_count(); ++v) {
-    Index in_fan = 0;
-    visit_fan(outgoing_[v], [&](Index) { ++in_fan; });
-    if (in_fan != faces_seen[v]) {
-      flags_[v] |= kBowtie;
-      bowties.push_back(v);
+    if (opposite_[h] == kNone) {
+      flags_[v] |= kBoundary;
+      if (old == kNone || opposite_[old] != kNone) outgoing_[v] = h;
+    } else if (old == kNone) {
+      outgoing_[v] = h;
     }
   }
-  if (bowties.empty()) return;
+  Index in_first_fans = 0;
+  for (Index v = 0; v < vertex_count(); ++v) {
+    visit_fan(outgoing_[v], [&](Index) { ++in_first_fans; });
+  }
+  if (in_first_fans != corner_count()) find_further_fans();
+}
+
+// A vertex with corners outside its first fan is a bow-tie.
+void Topology::find_further_fans() {
   std::vector<unsigned char> visited(corner_count(), 0);
   const auto mark = [&](Index start) { visit_fan(start, [&](Index h) { visited[h] = 1; }); };
-  for (const Index v : bowties) mark(outgoing_[v]);
+  for (const Index start : outgoing_) mark(start);
   // Open fans first, so that no fan is entered in its middle.
   for (const bool open : {true, false}) {
     for (Index h = 0; h < corner_count(); ++h) {
-      if (visited[h] != 0 || !is_bowtie(tail(h)) || (opposite_[h] == kNone) != open) continue;
+      if (visited[h] != 0 || (opposite_[h] == kNone) != open) continue;
       further_fans_.push_back({tail(h), h});
+      flags_[tail(h)] |= kBowtie;
       mark(h);
     }
   }

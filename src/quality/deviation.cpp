@@ -160,11 +160,12 @@ class OneSidedSearch {
     });
   }
 
-  // Cuts and halvings take turns: cuts alone might leave pieces long for ever.
+  // Three cuts follow the edges of a triangle; the halving after them sees to it that pieces get
+  // short, which cuts alone might not.
   Pieces split(const Pieces& open, unsigned level) const {
     return gather(open.size(), [&](std::size_t i, Pieces& parts) {
       const bool for_bound = !is_bounded(open[i]);
-      if (for_bound && level % 2 == 0) {
+      if (for_bound && level % 4 != 3) {
         open[i].cut(to_, parts);
       } else {
         open[i].bisect(to_, parts);

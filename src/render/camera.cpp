@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace surpass::picture {
 namespace {
@@ -14,10 +15,48 @@ namespace {
 constexpr double kHalfField = 0.24;
 // Free part of the picture around the fitted points.
 constexpr double kBorder = 0.06;
+// The eye stays out of the ball around the fitted points, whose radius is 1.
+constexpr float kNearest = 1.2F;
 
 struct Axes {
   Eigen::Vector3d right, up, front;
 };
+
+struct Fit {
+  float middle;
+  float distance;
+};
+
+// The nearest eye from which balls around the points lie between two sides of the pyramid.
+Fit fit_axis(std::span<const Vec3> seen, int axis, float slope, float radius) {
+  // A ball touches a side where its centre is this far inside, measured along the picture plane.
+  const float pad = radius * std::sqrt(1 + slope * slope);
+  float low = -std::numeric_limits<float>::infinity();
+  float high = low;
+  for (const Vec3& p : seen) {
+    low = std::max(low, slope * p.z() + pad - p[axis]);
+    high = std::max(high, slope * p.z() + pad + p[axis]);
+  }
+  return {(high - low) / 2, (high + low) / (2 * slope)};
+}
+
+// Where this axis leaves room to spare: the place from which both sides have the same. A step
+// takes away all of the difference but for the points' unequal depths.
+float centre_axis(std::span<const Vec3> seen, int axis, const Fit& fit, float distance) {
+  constexpr int kSteps = 8;
+  float middle = fit.middle;
+  for (int step = 0; step < kSteps && fit.distance < distance; ++step) {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (const Vec3& p : seen) {
+      const float place = (p[axis] - middle) / (distance - p.z());
+      low = std::min(low, place);
+      high = std::max(high, place);
+    }
+    middle += distance * (low + high) / 2;
+  }
+  return middle;
+}
 
 // Where azimuth 0 looks from, and what lies to its right.
 Axes scene_axes(char up) {
@@ -57,29 +96,19 @@ void Camera::turn(const RenderOptions& options) {
 }
 
 void Camera::fit(std::span<const Point> points, double margin) {
-  const Vec2 slope = half_size_ / focal_ * static_cast<float>(1 - kBorder);
-  // A ball of radius m touches the side of the pyramid where its centre is m * sqrt(1 + slope^2)
-  // inside, measured along the picture plane.
-  const float none = -std::numeric_limits<float>::infinity();
-  std::array<std::array<float, 2>, 2> bound = {{{none, none}, {none, none}}};
+  std::vector<Vec3> seen;  // right, up, towards the viewer
+  seen.reserve(points.size());
   for (const Point& p : points) {
     const Vec3 u = to_unit(p);
-    const Vec2 place(u.dot(right_), u.dot(up_));
-    for (int k = 0; k < 2; ++k) {
-      const float pad = static_cast<float>(margin) * std::sqrt(1 + slope[k] * slope[k]);
-      auto& [low, high] = bound[static_cast<std::size_t>(k)];
-      const float depth = slope[k] * u.dot(back_) + pad;
-      high = std::max(high, depth + place[k]);
-      low = std::max(low, depth - place[k]);
-    }
+    seen.emplace_back(u.dot(right_), u.dot(up_), u.dot(back_));
   }
-  const auto middle = [&](std::size_t k) { return (bound[k][1] - bound[k][0]) / 2; };
-  const auto distance = [&](std::size_t k) {
-    return (bound[k][1] + bound[k][0]) / (2 * slope[static_cast<int>(k)]);
-  };
-  // A single point without a margin is seen from one unit away.
-  const float away = std::max(distance(0), distance(1));
-  eye_ = right_ * middle(0) + up_ * middle(1) + back_ * (away > 0 ? away : 1);
+  const auto radius = static_cast<float>(margin);
+  const Vec2 slope = half_size_ / focal_ * static_cast<float>(1 - kBorder);
+  const Fit x = fit_axis(seen, 0, slope.x(), radius);
+  const Fit y = fit_axis(seen, 1, slope.y(), radius);
+  const float away = std::max({x.distance, y.distance, kNearest});
+  const Vec3 eye(centre_axis(seen, 0, x, away), centre_axis(seen, 1, y, away), away);
+  eye_ = right_ * eye.x() + up_ * eye.y() + back_ * eye.z();
 }
 
 Vec3 Camera::to_unit(const Point& p) const {

@@ -96,8 +96,9 @@ class Smoother {
 
   [[nodiscard]] double corner_angle(Index h) const {
     const Vector3d at = to_vector(mesh_.points[topology_.tail(h)]);
-    const Vector3d a = to_vector(mesh_.points[topology_.head(h)]) - at;
-    const Vector3d b = to_vector(mesh_.points[topology_.tail(topology_.previous(h))]) - at;
+    const Vector3d a = (to_vector(mesh_.points[topology_.head(h)]) - at).stableNormalized();
+    const Index last = topology_.tail(topology_.previous(h));
+    const Vector3d b = (to_vector(mesh_.points[last]) - at).stableNormalized();
     return std::atan2(a.cross(b).norm(), a.dot(b));
   }
 

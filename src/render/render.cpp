@@ -37,6 +37,7 @@ Result<void> check_options(const RenderOptions& options) {
   if (options.up != 'x' && options.up != 'y' && options.up != 'z') {
     return refuse(fmt::format("the up axis is x, y or z, not '{}'", options.up));
   }
+  if (!std::isfinite(options.crease_angle)) return refuse("the crease angle must be finite");
   if (!(options.point_radius >= 0) || !std::isfinite(options.point_radius)) {
     return refuse("the radius of points must be a finite number, at least 0");
   }

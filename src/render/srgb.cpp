@@ -18,8 +18,8 @@ SrgbTable::SrgbTable() {
 }
 
 std::uint8_t SrgbTable::operator()(float linear) const {
-  const float x = std::clamp(linear, 0.0F, 1.0F) * kLast;
-  return bytes_[static_cast<std::size_t>(x + 0.5F)];
+  if (!(linear > 0)) return 0;
+  return bytes_[static_cast<std::size_t>(std::min(linear, 1.0F) * kLast + 0.5F)];
 }
 
 }  // namespace surpass::picture

@@ -10,7 +10,7 @@ namespace surpass::picture {
 class SrgbTable {
  public:
   SrgbTable();
-  /// Values outside 0..1 are cut off.
+  /// Values outside 0..1 are cut off; NaN is 0.
   [[nodiscard]] std::uint8_t operator()(float linear) const;
 
  private:

@@ -42,7 +42,9 @@ class Report : public testing::Test {
     json report = json::parse(slurp(path));
     EXPECT_EQ(complaint(report), "") << report.dump(1);
     EXPECT_EQ(report.contains("failure"), status != 0);
-    if (status != 0) EXPECT_EQ(report["failure"]["exit_status"], status);
+    if (status != 0) {
+      EXPECT_EQ(report["failure"]["exit_status"], status);
+    }
     std::filesystem::remove(path);
     return report;
   }
