@@ -58,7 +58,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     // A beginning of the right word is taken for an abbreviation.
     const bool abbreviation = word.size() > 2 && candidate.starts_with(word);
     const std::size_t distance = abbreviation ? 1 : edit_distance(word, candidate);
-    if (distance < best_distance && distance < candidate.size()) {
+    if (distance < best_distance && 2 * distance < candidate.size()) {
       best = candidate;
       best_distance = distance;
     }

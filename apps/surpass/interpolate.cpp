@@ -109,7 +109,8 @@ Result<void> Interpolate::run(Session& session) {
   session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), given.vertex_count(),
                                   name_of(options_.rules.scheme),
                                   name_of(options_.rules.boundary)));
-  session.console.say(summary(found->report, *verdict));
+  session.console.say(
+      fmt::format("{}, {:.3g} s", summary(found->report, *verdict), session.seconds()));
 
   const bool reached = found->report.converged && verdict->judged() <= found->report.tolerance;
   if (reached || keep_best_) {

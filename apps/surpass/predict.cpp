@@ -52,7 +52,7 @@ class Predict : public Command {
     std::string text =
         fmt::format("surface  {} sweeps of {} reach {} (spectrum in [{:.6g}, 1])\n", p.sweeps,
                     name_of(options_.solver), options_.tolerance, p.lowest_eigenvalue);
-    if (p.boundary_lowest_eigenvalue > 0) {
+    if (p.boundary_sweeps > 0) {
       text += fmt::format("curves   {} sweeps (spectrum in [{:.6g}, 1])\n", p.boundary_sweeps,
                           p.boundary_lowest_eigenvalue);
     }

@@ -54,6 +54,12 @@ Result<void> Session::print_result(const std::string& text) const {
   return write_file("-", text);
 }
 
+double Session::seconds() const {
+  double sum = 0;
+  for (const Json& stage : report.at("seconds")) sum += stage.get<double>();
+  return sum;
+}
+
 void Session::tell_times() {
   for (const auto& [stage, seconds] : report["seconds"].items()) {
     console.detail(fmt::format("{:10}{:10.4f} s", stage, seconds.get<double>()));

@@ -27,6 +27,9 @@ struct Session {
   /// Prints what a command found on stdout; `--report -` puts the report in its place.
   [[nodiscard]] Result<void> print_result(const std::string& text) const;
 
+  /// What the stages so far took together.
+  [[nodiscard]] double seconds() const;
+
   /// With --verbose: a line for each stage that was timed.
   void tell_times();
 

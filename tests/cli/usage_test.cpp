@@ -33,7 +33,8 @@ TEST(Usage, TheNearestOptionIsSuggested) {
                      "did you mean '--tolerance'? See surpass interpolate --help");
   expect_usage_error({"subdivide", given, "-o", "x.obj", "--level", "1"},
                      "did you mean '--levels'?");
-  expect_usage_error({"inspect", given, "--xyzzyx"}, "there is no option '--xyzzyx'");
+  expect_usage_error({"inspect", given, "--xyzzyx"}, "there is no option '--xyzzyx'; see");
+  expect_usage_error({"convert", given, "-o", "x.ply"}, "there is no option '-o'; see");
 }
 
 TEST(Usage, TheNearestValueIsSuggested) {
