@@ -44,12 +44,9 @@ class BlockSolver {
     switch (options_.solver) {
       case Solver::richardson:
         return semi_iteration(system_, SemiIteration::richardson(), monitor, task_.x);
-      case Solver::conjugate_gradient:
-        return conjugate_gradient(system_, monitor, task_.x);
-      case Solver::gauss_seidel:
-        return gauss_seidel(system_, monitor, task_.x);
-      case Solver::chebyshev:
-        break;
+      case Solver::conjugate_gradient: return conjugate_gradient(system_, monitor, task_.x);
+      case Solver::gauss_seidel: return gauss_seidel(system_, monitor, task_.x);
+      case Solver::chebyshev: break;
     }
     const double lowest = block.proven() ? block.lowest : kUnprovenLowest;
     return semi_iteration(system_, SemiIteration::chebyshev(lowest), monitor, task_.x);

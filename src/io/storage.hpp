@@ -27,22 +27,14 @@ namespace surpass::io {
 template <class Use>
 decltype(auto) with_type(Storage type, Use&& use) {
   switch (type) {
-    case Storage::float32:
-      return use(float{});
-    case Storage::int8:
-      return use(std::int8_t{});
-    case Storage::uint8:
-      return use(std::uint8_t{});
-    case Storage::int16:
-      return use(std::int16_t{});
-    case Storage::uint16:
-      return use(std::uint16_t{});
-    case Storage::int32:
-      return use(std::int32_t{});
-    case Storage::uint32:
-      return use(std::uint32_t{});
-    case Storage::float64:
-      break;
+    case Storage::float32: return use(float{});
+    case Storage::int8: return use(std::int8_t{});
+    case Storage::uint8: return use(std::uint8_t{});
+    case Storage::int16: return use(std::int16_t{});
+    case Storage::uint16: return use(std::uint16_t{});
+    case Storage::int32: return use(std::int32_t{});
+    case Storage::uint32: return use(std::uint32_t{});
+    case Storage::float64: break;
   }
   return use(double{});
 }

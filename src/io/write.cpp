@@ -103,16 +103,11 @@ Result<void> check(const Mesh& mesh) {
 Result<void> write_format(const Mesh& mesh, const WriteOptions& options, std::string& bytes,
                           io::Notes& notes) {
   switch (options.format) {
-    case Format::obj:
-      return io::write_obj(mesh, options, bytes, notes);
-    case Format::ply:
-      return io::write_ply(mesh, options, bytes, notes);
-    case Format::off:
-      return io::write_off(mesh, options, bytes, notes);
-    case Format::stl:
-      return io::write_stl(mesh, options, bytes, notes);
-    case Format::automatic:
-      break;
+    case Format::obj: return io::write_obj(mesh, options, bytes, notes);
+    case Format::ply: return io::write_ply(mesh, options, bytes, notes);
+    case Format::off: return io::write_off(mesh, options, bytes, notes);
+    case Format::stl: return io::write_stl(mesh, options, bytes, notes);
+    case Format::automatic: break;
   }
   return fail(ErrorCode::unknown_format,
               "no format to write is known; end the name in .obj, .ply, .off or .stl, or name the "
