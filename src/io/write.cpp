@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -18,8 +19,8 @@ Result<void> malformed(std::string message) {
 Result<void> check_faces(const Mesh& mesh) {
   const auto& offsets = mesh.face_offsets;
   if (offsets.empty() || offsets.front() != 0 || offsets.back() != mesh.face_vertices.size() ||
-      !std::is_sorted(offsets.begin(), offsets.end())) {
-    return malformed("face_offsets must rise from 0 to the number of face corners");
+      std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal<>()) != offsets.end()) {
+    return malformed("face_offsets must rise from 0 to the number of face corners, at each face");
   }
   const auto exists = [&](Index v) { return v < mesh.points.size(); };
   if (!std::all_of(mesh.face_vertices.begin(), mesh.face_vertices.end(), exists)) {
