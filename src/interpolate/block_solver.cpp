@@ -64,7 +64,8 @@ class BlockSolver {
       return outcome(*verdict, monitor);
     }
     if (options_.solver != Solver::chebyshev) return outcome(Verdict::stalled, first);
-    notes.emplace_back("Chebyshev's iteration did not converge on these creases; BiCGSTAB took over");
+    notes.emplace_back(
+        "Chebyshev's iteration did not converge on these creases; BiCGSTAB took over");
     return outcome(bicgstab(system_, monitor, task_.x), monitor);
   }
 
