@@ -12,7 +12,7 @@
 namespace surpass {
 namespace {
 
-Result<void> malformed(std::string message) {
+Result<void> malformed(const std::string& message) {
   return fail(ErrorCode::invalid_argument, "the mesh to be written is malformed: " + message);
 }
 

@@ -40,7 +40,7 @@ class Remarker {
       : mesh_(mesh), skip_(skip), limit_(limit) {}
 
   std::vector<std::string> run(const Topology* topology) {
-    if (mesh_.face_count() == 0) remarks_.push_back("the mesh has no faces");
+    if (mesh_.face_count() == 0) remarks_.emplace_back("the mesh has no faces");
     if (topology != nullptr) {
       remark_on_bowties(*topology);
       remark_on_back_to_back(*topology);
@@ -180,7 +180,7 @@ class Remarker {
       largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
     }
     if (box.side() == 0) {
-      remarks_.push_back("all vertices lie at one point: the bounding box has side 0");
+      remarks_.emplace_back("all vertices lie at one point: the bounding box has side 0");
     } else if (largest > kHuge) {
       remarks_.push_back(fmt::format(
           "coordinates as large as {}: squares of lengths overflow, scale the mesh down", largest));
