@@ -26,11 +26,13 @@ struct NearestTriangle {
   Index best;
   double best_distance;
 
-  double minimumOnVolume(const Eigen::AlignedBox3d& box) const {
+  // The names are Eigen's.
+  double minimumOnVolume(
+      const Eigen::AlignedBox3d& box) const {  // NOLINT(readability-identifier-naming)
     const double distance = box.squaredExteriorDistance(point);
     return distance < best_distance ? distance : std::numeric_limits<double>::infinity();
   }
-  double minimumOnObject(Index t) {
+  double minimumOnObject(Index t) {  // NOLINT(readability-identifier-naming)
     const double distance = triangles[t].squared_distance(point);
     if (distance < best_distance) {
       best_distance = distance;
