@@ -26,13 +26,12 @@ struct NearestTriangle {
   Index best;
   double best_distance;
 
-  // The names are Eigen's.
-  double minimumOnVolume(
-      const Eigen::AlignedBox3d& box) const {  // NOLINT(readability-identifier-naming)
+  // NOLINTBEGIN(readability-identifier-naming): the names are Eigen's.
+  double minimumOnVolume(const Eigen::AlignedBox3d& box) const {
     const double distance = box.squaredExteriorDistance(point);
     return distance < best_distance ? distance : std::numeric_limits<double>::infinity();
   }
-  double minimumOnObject(Index t) {  // NOLINT(readability-identifier-naming)
+  double minimumOnObject(Index t) {
     const double distance = triangles[t].squared_distance(point);
     if (distance < best_distance) {
       best_distance = distance;
@@ -40,6 +39,7 @@ struct NearestTriangle {
     }
     return best_distance;
   }
+  // NOLINTEND(readability-identifier-naming)
 };
 
 }  // namespace
