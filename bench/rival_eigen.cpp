@@ -40,7 +40,7 @@ Solved solve_from_faces(const Mesh& mesh, double tolerance) {
 // Eigen stops by the residual's norm relative to the right-hand side's. The loosest such tolerance
 // that still brings every vertex within ours, in steps of about one iteration.
 double loosest_tolerance(const Workload& workload) {
-  double tolerance = kTolerance * 100;
+  double tolerance = kTolerance * 10;
   while (workload.interpolation_error(
              as_points(solve_from_faces(workload.mesh(), tolerance).control)) > kTolerance) {
     tolerance /= std::sqrt(10.0);
