@@ -80,6 +80,12 @@ Result<void> check_report_path(const Session& session, const std::vector<std::st
   return check_paths(inputs, {session.report_path}, false);
 }
 
+Result<void> write_bytes(const std::string& path, std::string_view bytes, Session& session) {
+  if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
+  const UnfinishedFile unfinished(path);
+  return session.timed("write", [&] { return write_file(path, bytes); });
+}
+
 void MeshOutput::define(CLI::App& app, const std::string& name, const std::string& description) {
   app.add_option(name, path_, description + "; '-' is the standard output")
       ->required()

@@ -45,6 +45,10 @@ class MeshOutput {
   bool force_ = false;
 };
 
+/// Writes the bytes of another kind of output, unless the run was interrupted.
+[[nodiscard]] Result<void> write_bytes(const std::string& path, std::string_view bytes,
+                                       Session& session);
+
 /// Fails if two outputs are one file, if an output is an input (unless `force`), if a folder is
 /// missing or not writable, or if more than one stream is '-'.
 [[nodiscard]] Result<void> check_paths(const std::vector<std::string>& inputs,

@@ -129,7 +129,9 @@ class Render : public Command {
 void Render::define(CLI::App& app) {
   input_.define(app, "MESH", "The mesh to draw");
   app.add_option("-o,--output", output_path_, "The PNG file; '-' is the standard output")
-      ->required();
+      ->required()
+      ->type_name("FILE")
+      ->group("Output");
   rules_.define(app);
   levels_option_ = add_levels(app, levels_, "Draw the limit surface after refinement steps");
   levels_option_->group("Surface");
@@ -181,7 +183,7 @@ Result<void> Render::run(Session& session) {
   if (!drawn) return tl::make_unexpected(drawn.error());
   const Result<std::string> png = picture(*drawn, given, *points, wishes_, session);
   if (!png) return tl::make_unexpected(png.error());
-  return session.timed("write", [&] { return write_file(output_path_, *png); });
+  return write_bytes(output_path_, *png, session);
 }
 
 Result<Mesh> Render::surface(const Mesh& mesh, Session& session) const {

@@ -7,7 +7,7 @@ namespace surpass::test {
 namespace {
 
 const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide", "check",
-                                            "inspect",     "compare", "convert"};
+                                            "inspect",     "compare", "convert",   "render"};
 
 void expect_usage_error(const std::vector<std::string>& arguments, const std::string& sentence) {
   const Outcome outcome = surpass(arguments);
