@@ -36,14 +36,14 @@ OPEN = [
     ("Hypersheet", "open_hypersheet_487_3loops.off"),
     ("Lion", "open_lion_7529_5loops.off"),
 ]
-# name, file, camera azimuth and elevation, up axis
+# name, file, camera azimuth and elevation, and whether the given vertices are marked as in figure 3
 FIGURES = [
-    ("figure-2-hog", "paper_hog_606.off", "130,15", "y"),
-    ("figure-2-rabbit", "paper_rabbit_453.off", "30,15", "y"),
-    ("figure-2-tiger", "paper_tiger_956.off", "40,15", "y"),
-    ("figure-2-boy", "paper_boy_17342.off", "20,10", "y"),
-    ("figure-3-pipe", "paper_pipe_428_open6.off", "35,25", "y"),
-    ("figure-3-face", "paper_face_299_open.off", "15,5", "y"),
+    ("figure-2-hog", "paper_hog_606.off", "130,15", False),
+    ("figure-2-rabbit", "paper_rabbit_453.off", "30,15", False),
+    ("figure-2-tiger", "paper_tiger_956.off", "40,15", False),
+    ("figure-2-turtle", "paper_turtle_445.off", "50,35", False),
+    ("figure-3-pipe", "paper_pipe_428_open6.off", "35,25", True),
+    ("figure-3-face", "paper_face_299_open.off", "15,5", True),
 ]
 
 
@@ -89,12 +89,12 @@ def open_models(surpass, data, folder):
 
 def figures(surpass, data, folder, output):
     lines = []
-    for name, file, camera, up in FIGURES:
+    for name, file, camera, marked in FIGURES:
         given = data / "tri" / file
         control, _ = interpolate(surpass, given, folder, "--boundary", "edge-only")
         subprocess.run([surpass, "render", control, "-o", output / f"{name}.png", "--levels", "3",
-                        "--beside", given, "--points", given, "--camera", camera, "--up", up,
-                        "--size", "640x640", "--quiet"], check=True)
+                        "--beside", given, *(["--points", given] if marked else []),
+                        "--camera", camera, "--size", "640x640", "--quiet"], check=True)
         lines.append(f"![{name}]({name}.png)")
     return lines
 
@@ -129,8 +129,8 @@ def main():
         *opened,
         "",
         "## Figures",
-        "Left the given mesh, right the interpolating surface with the given vertices as red dots",
-        "(boundary rule `edge-only`, three refinements, moved to the limit).",
+        "Left the given mesh, right the interpolating surface (boundary rule `edge-only`, three refinements,",
+        "moved to the limit); red dots are the given vertices.",
         "",
         *pictures,
         "",

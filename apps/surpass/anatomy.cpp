@@ -142,7 +142,9 @@ std::string attributes_text(const Mesh& mesh) {
                                        channel["per"].get<std::string>()));
   }
   for (const std::string& tag : mesh.tags) text += row("tag", tag);
-  for (const auto& [key, value] : mesh.annotations) text += row("recorded", key + " " + value);
+  for (const auto& [key, value] : mesh.annotations) {
+    text += row("recorded", fmt::format("{} {}", key, value));
+  }
   return text;
 }
 

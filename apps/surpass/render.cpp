@@ -133,8 +133,9 @@ void Render::define(CLI::App& app) {
       ->type_name("FILE")
       ->group("Output");
   rules_.define(app);
-  levels_option_ = add_levels(app, levels_, "Draw the limit surface after refinement steps");
-  levels_option_->group("Surface");
+  levels_option_ = add_levels(
+      app, levels_, "Draw the limit surface after refinement steps; by default the mesh itself");
+  levels_option_->default_str("")->group("Surface");
   const auto view = [](CLI::Option* option) { option->group("Picture"); };
   view(app.add_option("--size", wishes_.size, "Width and height in pixels")
            ->type_name("WxH")

@@ -36,20 +36,26 @@ struct Session {
   /// Runs `stage()` and adds its time to report["seconds"][name].
   template <class Stage>
   auto timed(const char* name, Stage&& stage) {
-    const Timer timer{*this, name};
+    const Timer timer(*this, name);
     return stage();
   }
 
  private:
-  struct Timer {
-    Session& session;
-    const char* name;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  class Timer {
+   public:
+    Timer(Session& session, const char* name) : session_(session), name_(name) {}
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
     ~Timer() {
-      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-      Json& entry = session.report["seconds"][name];
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+      Json& entry = session_.report["seconds"][name_];
       entry = (entry.is_number() ? entry.get<double>() : 0.0) + seconds.count();
     }
+
+   private:
+    Session& session_;
+    const char* name_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   };
 };
 

@@ -99,6 +99,8 @@ class Interpolator {
   [[nodiscard]] static Result<Interpolator> create(const Mesh& mesh,
                                                    const InterpolateOptions& options = {},
                                                    const Context& context = {});
+  Interpolator(const Interpolator&) = delete;
+  Interpolator& operator=(const Interpolator&) = delete;
   Interpolator(Interpolator&&) noexcept;
   Interpolator& operator=(Interpolator&&) noexcept;
   ~Interpolator();

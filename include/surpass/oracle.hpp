@@ -5,10 +5,11 @@
 
 namespace surpass {
 
-/// #V limit positions by OpenSubdiv in double precision: its limit masks after one refinement of the
-/// mesh. At darts its mask is not the limit of its own refined points, so there, and where creases
-/// are semi-sharp, its refined points themselves are followed to the limit; `notes` says how often.
-/// Errors: a boundary rule that OpenSubdiv lacks (`invalid_argument`), a topology that it refuses.
+/// #V limit positions by OpenSubdiv in double precision: its limit masks after one refinement of
+/// the mesh. At darts its mask is not the limit of its own refined points, so there, and where
+/// creases are semi-sharp, its refined points themselves are followed to the limit; `notes` says
+/// how often. Errors: a boundary rule that OpenSubdiv lacks (`invalid_argument`), a topology that
+/// it refuses.
 [[nodiscard]] Result<std::vector<Point>> opensubdiv_limit_positions(
     const Mesh& control, const Rules& rules, std::vector<std::string>* notes = nullptr);
 

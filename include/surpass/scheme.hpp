@@ -40,9 +40,9 @@ struct Rules {
 
 /// #V unit normals of the limit surface at the control vertices, on the side from which the faces
 /// turn counterclockwise. On creases and at corners, where the surface has several tangent planes,
-/// the normalised mean of their normals; (0,0,0) where the tangents are parallel or absent. At corners
-/// whose sharp edges enclose more than two faces Loop's rules have no tangent plane; there the normals
-/// of the control faces are averaged.
+/// the normalised mean of their normals; (0,0,0) where the tangents are parallel or absent. At
+/// corners whose sharp edges enclose more than two faces Loop's rules have no tangent plane; there
+/// the normals of the control faces are averaged.
 [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& control, const Rules& rules,
                                                        const Context& context = {});
 

@@ -44,12 +44,9 @@ class BlockSolver {
     switch (options_.solver) {
       case Solver::richardson:
         return semi_iteration(system_, SemiIteration::richardson(), monitor, task_.x);
-      case Solver::conjugate_gradient:
-        return conjugate_gradient(system_, monitor, task_.x);
-      case Solver::gauss_seidel:
-        return gauss_seidel(system_, monitor, task_.x);
-      case Solver::chebyshev:
-        break;
+      case Solver::conjugate_gradient: return conjugate_gradient(system_, monitor, task_.x);
+      case Solver::gauss_seidel: return gauss_seidel(system_, monitor, task_.x);
+      case Solver::chebyshev: break;
     }
     const double lowest = block.proven() ? block.lowest : kUnprovenLowest;
     return semi_iteration(system_, SemiIteration::chebyshev(lowest), monitor, task_.x);
@@ -67,7 +64,8 @@ class BlockSolver {
       return outcome(*verdict, monitor);
     }
     if (options_.solver != Solver::chebyshev) return outcome(Verdict::stalled, first);
-    notes.push_back("Chebyshev's iteration did not converge on these creases; BiCGSTAB took over");
+    notes.emplace_back(
+        "Chebyshev's iteration did not converge on these creases; BiCGSTAB took over");
     return outcome(bicgstab(system_, monitor, task_.x), monitor);
   }
 

@@ -16,14 +16,10 @@ namespace surpass {
 
 const char* name_of(Solver solver) {
   switch (solver) {
-    case Solver::chebyshev:
-      return "chebyshev";
-    case Solver::richardson:
-      return "richardson";
-    case Solver::conjugate_gradient:
-      return "conjugate-gradient";
-    case Solver::gauss_seidel:
-      return "gauss-seidel";
+    case Solver::chebyshev: return "chebyshev";
+    case Solver::richardson: return "richardson";
+    case Solver::conjugate_gradient: return "conjugate-gradient";
+    case Solver::gauss_seidel: return "gauss-seidel";
   }
   return "unknown";
 }

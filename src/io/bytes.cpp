@@ -17,14 +17,10 @@ constexpr std::size_t kFirstBlock = std::size_t{1} << 16;
 
 const char* advice(int code) {
   switch (code) {
-    case ENOENT:
-      return "; check the name and the folder";
-    case EACCES:
-      return "; you have no permission to read it";
-    case EISDIR:
-      return "; name a file inside it";
-    default:
-      return "";
+    case ENOENT: return "; check the name and the folder";
+    case EACCES: return "; you have no permission to read it";
+    case EISDIR: return "; name a file inside it";
+    default: return "";
   }
 }
 

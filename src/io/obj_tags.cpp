@@ -118,7 +118,7 @@ bool read_obj_tag(Scanner& scan, Numbered& vertices, Numbered& faces, Mesh& mesh
   scan.move_to(line);
   const std::string text(scan.rest_of_line());
   if (name == "creasemethod" && text.find("chaikin") != std::string::npos) {
-    notices.push_back("the crease method 'chaikin' is treated as uniform");
+    notices.emplace_back("the crease method 'chaikin' is treated as uniform");
   }
   mesh.tags.push_back("t " + text);
   return scan.end_line();

@@ -268,7 +268,7 @@ void OffReader::add_channel(const char* name, std::vector<std::string> parts, Co
 
 bool OffReader::finish() {
   scan_.skip_space();
-  if (!scan_.done()) out_.notices.push_back("text behind the last face is not used");
+  if (!scan_.done()) out_.notices.emplace_back("text behind the last face is not used");
   if (vertices_ == 0) return true;
   add_channel("normal", {"nx", "ny", "nz"}, normals_);
   if (colours_.width != 0) {

@@ -61,8 +61,8 @@ class PlyText {
   Scanner& scan_;
 };
 
-/// Bytes; Swap where their order is not the machine's.
-template <bool Swap>
+/// Bytes; kSwapped where their order is not the machine's.
+template <bool kSwapped>
 class PlyBytes {
  public:
   static constexpr bool kBinary = true;
@@ -77,7 +77,7 @@ class PlyBytes {
     const char* place = scan_.at();
     if (!skip(type, name)) return false;
     value = with_type(type, [place](auto zero) {
-      return static_cast<double>(load<decltype(zero), Swap>(place));
+      return static_cast<double>(load<decltype(zero), kSwapped>(place));
     });
     return std::isfinite(value) ||
            fail(ErrorCode::not_finite,
@@ -126,7 +126,7 @@ class PlyBytes {
                           std::size_t to_stride) {
     double sum = 0;  // of zeros, unless a value is NaN or infinite
     for (std::size_t row = 0; row < count; ++row) {
-      const auto value = static_cast<double>(load<T, Swap>(from + row * from_stride));
+      const auto value = static_cast<double>(load<T, kSwapped>(from + row * from_stride));
       to[row * to_stride] = value;
       sum += value * 0.0;
     }

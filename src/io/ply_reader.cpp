@@ -203,6 +203,9 @@ bool PlyReader<Source>::read_faces(const PlyElement& element) {
 
 template <class Source>
 bool PlyReader<Source>::read_indices(const PlyProperty& property, std::size_t length) {
+  if (length == 0) {
+    return source_.fail(ErrorCode::syntax, "the face has no vertices; remove it", source_.at());
+  }
   for (std::size_t k = 0; k < length; ++k) {
     const char* place = source_.at();
     double number = 0;

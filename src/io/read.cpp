@@ -37,16 +37,11 @@ Result<Format> detect(std::string_view bytes, const std::string& name,
 
 bool read_format(Format format, io::Scanner& scan, LoadedMesh& out) {
   switch (format) {
-    case Format::obj:
-      return io::read_obj(scan, out);
-    case Format::ply:
-      return io::read_ply(scan, out);
-    case Format::off:
-      return io::read_off(scan, out);
-    case Format::stl:
-      return io::read_stl(scan, out);
-    case Format::automatic:
-      break;
+    case Format::obj: return io::read_obj(scan, out);
+    case Format::ply: return io::read_ply(scan, out);
+    case Format::off: return io::read_off(scan, out);
+    case Format::stl: return io::read_stl(scan, out);
+    case Format::automatic: break;
   }
   return scan.fail_as_a_whole(ErrorCode::unknown_format, "no format is named");
 }

@@ -90,7 +90,7 @@ bool StlReader::read_binary() {
     if (!read_binary_facet()) return false;
   }
   if (attributes_) {
-    out_.notices.push_back(
+    out_.notices.emplace_back(
         "attribute bytes of the triangles (colours, in some programs) are skipped");
   }
   return true;

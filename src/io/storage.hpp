@@ -27,22 +27,14 @@ namespace surpass::io {
 template <class Use>
 decltype(auto) with_type(Storage type, Use&& use) {
   switch (type) {
-    case Storage::float32:
-      return use(float{});
-    case Storage::int8:
-      return use(std::int8_t{});
-    case Storage::uint8:
-      return use(std::uint8_t{});
-    case Storage::int16:
-      return use(std::int16_t{});
-    case Storage::uint16:
-      return use(std::uint16_t{});
-    case Storage::int32:
-      return use(std::int32_t{});
-    case Storage::uint32:
-      return use(std::uint32_t{});
-    case Storage::float64:
-      break;
+    case Storage::float32: return use(float{});
+    case Storage::int8: return use(std::int8_t{});
+    case Storage::uint8: return use(std::uint8_t{});
+    case Storage::int16: return use(std::int16_t{});
+    case Storage::uint16: return use(std::uint16_t{});
+    case Storage::int32: return use(std::int32_t{});
+    case Storage::uint32: return use(std::uint32_t{});
+    case Storage::float64: break;
   }
   return use(double{});
 }
@@ -54,12 +46,12 @@ decltype(auto) with_type(Storage type, Use&& use) {
 /// True if every value survives conversion to the type and back, the sign of zero included.
 [[nodiscard]] bool fits(std::span<const double> values, Storage type);
 
-/// A number at an unaligned place; Swap reads the other byte order than the machine's.
-template <class T, bool Swap>
+/// A number at an unaligned place; kSwapped reads the other byte order than the machine's.
+template <class T, bool kSwapped>
 [[nodiscard]] T load(const char* place) {
   unsigned char bytes[sizeof(T)];
   std::memcpy(bytes, place, sizeof(T));
-  if constexpr (Swap) {
+  if constexpr (kSwapped) {
     for (std::size_t k = 0; k < sizeof(T) / 2; ++k) std::swap(bytes[k], bytes[sizeof(T) - 1 - k]);
   }
   return std::bit_cast<T>(bytes);

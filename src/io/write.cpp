@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -11,15 +12,15 @@
 namespace surpass {
 namespace {
 
-Result<void> malformed(std::string message) {
+Result<void> malformed(const std::string& message) {
   return fail(ErrorCode::invalid_argument, "the mesh to be written is malformed: " + message);
 }
 
 Result<void> check_faces(const Mesh& mesh) {
   const auto& offsets = mesh.face_offsets;
   if (offsets.empty() || offsets.front() != 0 || offsets.back() != mesh.face_vertices.size() ||
-      !std::is_sorted(offsets.begin(), offsets.end())) {
-    return malformed("face_offsets must rise from 0 to the number of face corners");
+      std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal<>()) != offsets.end()) {
+    return malformed("face_offsets must rise from 0 to the number of face corners, at each face");
   }
   const auto exists = [&](Index v) { return v < mesh.points.size(); };
   if (!std::all_of(mesh.face_vertices.begin(), mesh.face_vertices.end(), exists)) {
@@ -103,16 +104,11 @@ Result<void> check(const Mesh& mesh) {
 Result<void> write_format(const Mesh& mesh, const WriteOptions& options, std::string& bytes,
                           io::Notes& notes) {
   switch (options.format) {
-    case Format::obj:
-      return io::write_obj(mesh, options, bytes, notes);
-    case Format::ply:
-      return io::write_ply(mesh, options, bytes, notes);
-    case Format::off:
-      return io::write_off(mesh, options, bytes, notes);
-    case Format::stl:
-      return io::write_stl(mesh, options, bytes, notes);
-    case Format::automatic:
-      break;
+    case Format::obj: return io::write_obj(mesh, options, bytes, notes);
+    case Format::ply: return io::write_ply(mesh, options, bytes, notes);
+    case Format::off: return io::write_off(mesh, options, bytes, notes);
+    case Format::stl: return io::write_stl(mesh, options, bytes, notes);
+    case Format::automatic: break;
   }
   return fail(ErrorCode::unknown_format,
               "no format to write is known; end the name in .obj, .ply, .off or .stl, or name the "

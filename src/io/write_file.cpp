@@ -21,22 +21,15 @@ constexpr int kNamesTried = 100;
 const char* advice(int code) {
   switch (code) {
     case ENOSPC:
-    case EDQUOT:
-      return "; free some space, or write to another disk";
+    case EDQUOT: return "; free some space, or write to another disk";
     case EACCES:
-    case EPERM:
-      return "; choose a folder or file that you may write to";
-    case EROFS:
-      return "; choose a folder that is not read-only";
+    case EPERM: return "; choose a folder or file that you may write to";
+    case EROFS: return "; choose a folder that is not read-only";
     case ENOENT:
-    case ENOTDIR:
-      return "; create the folder first, or correct its name";
-    case EISDIR:
-      return "; name a file inside it";
-    case EPIPE:
-      return "; the program that reads our output has ended";
-    default:
-      return "";
+    case ENOTDIR: return "; create the folder first, or correct its name";
+    case EISDIR: return "; name a file inside it";
+    case EPIPE: return "; the program that reads our output has ended";
+    default: return "";
   }
 }
 

@@ -26,12 +26,13 @@ class Examiner {
       refuse(ErrorCode::too_large, [] { return refusal::too_large(); });
       return std::move(diagnosis_);
     }
-    if (!Topology::build(mesh_)) {
+    const auto topology = Topology::build(mesh_);
+    if (!topology) {
       examine_faces();
       examine_edges();
     }
     examine_points();
-    diagnosis_.remarks = remarks_on(mesh_, skip_, limit_);
+    diagnosis_.remarks = remarks_on(mesh_, topology ? &*topology : nullptr, skip_, limit_);
     return std::move(diagnosis_);
   }
 

@@ -28,8 +28,9 @@ class Orienter {
     piece_.assign(1, first);
     turn_[first] = 0;
     std::size_t turned = 0;
-    for (std::size_t i = 0; i < piece_.size(); ++i) {
-      const Index f = piece_[i];
+    std::size_t next = 0;
+    while (next < piece_.size()) {  // which grows as faces are visited
+      const Index f = piece_[next++];
       turned += turn_[f];
       for (Index h = mesh_.face_offsets[f]; h < mesh_.face_offsets[f + 1]; ++h) visit(f, h);
     }

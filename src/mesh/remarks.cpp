@@ -1,7 +1,5 @@
 #include "mesh/remarks.hpp"
 
-#include <surpass/topology.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -41,9 +39,9 @@ class Remarker {
   Remarker(const Mesh& mesh, std::span<const unsigned char> skip, std::size_t limit)
       : mesh_(mesh), skip_(skip), limit_(limit) {}
 
-  std::vector<std::string> run() {
-    if (mesh_.face_count() == 0) remarks_.push_back("the mesh has no faces");
-    if (const auto topology = Topology::build(mesh_)) {
+  std::vector<std::string> run(const Topology* topology) {
+    if (mesh_.face_count() == 0) remarks_.emplace_back("the mesh has no faces");
+    if (topology != nullptr) {
       remark_on_bowties(*topology);
       remark_on_back_to_back(*topology);
       remark_on_creases(*topology);
@@ -182,7 +180,7 @@ class Remarker {
       largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
     }
     if (box.side() == 0) {
-      remarks_.push_back("all vertices lie at one point: the bounding box has side 0");
+      remarks_.emplace_back("all vertices lie at one point: the bounding box has side 0");
     } else if (largest > kHuge) {
       remarks_.push_back(fmt::format(
           "coordinates as large as {}: squares of lengths overflow, scale the mesh down", largest));
@@ -200,9 +198,9 @@ class Remarker {
 
 }  // namespace
 
-std::vector<std::string> remarks_on(const Mesh& mesh, std::span<const unsigned char> skip,
-                                    std::size_t limit) {
-  return Remarker(mesh, skip, limit).run();
+std::vector<std::string> remarks_on(const Mesh& mesh, const Topology* topology,
+                                    std::span<const unsigned char> skip, std::size_t limit) {
+  return Remarker(mesh, skip, limit).run(topology);
 }
 
 }  // namespace surpass

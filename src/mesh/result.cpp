@@ -6,54 +6,30 @@ namespace surpass {
 
 const char* name_of(ErrorCode code) {
   switch (code) {
-    case ErrorCode::invalid_argument:
-      return "invalid-argument";
-    case ErrorCode::not_built_in:
-      return "not-built-in";
-    case ErrorCode::cannot_open:
-      return "cannot-open";
-    case ErrorCode::cannot_read:
-      return "cannot-read";
-    case ErrorCode::unknown_format:
-      return "unknown-format";
-    case ErrorCode::syntax:
-      return "syntax";
-    case ErrorCode::unexpected_end:
-      return "unexpected-end";
-    case ErrorCode::bad_number:
-      return "bad-number";
-    case ErrorCode::not_finite:
-      return "not-finite";
-    case ErrorCode::index_out_of_range:
-      return "index-out-of-range";
-    case ErrorCode::unsupported:
-      return "unsupported";
-    case ErrorCode::empty_mesh:
-      return "empty-mesh";
-    case ErrorCode::non_manifold_edge:
-      return "non-manifold-edge";
-    case ErrorCode::inconsistent_orientation:
-      return "inconsistent-orientation";
-    case ErrorCode::repeated_vertex:
-      return "repeated-vertex";
-    case ErrorCode::degenerate_face:
-      return "degenerate-face";
-    case ErrorCode::duplicate_face:
-      return "duplicate-face";
-    case ErrorCode::too_large:
-      return "too-large";
-    case ErrorCode::unsuitable_for_scheme:
-      return "unsuitable-for-scheme";
-    case ErrorCode::singular:
-      return "singular";
-    case ErrorCode::mismatch:
-      return "mismatch";
-    case ErrorCode::not_converged:
-      return "not-converged";
-    case ErrorCode::cancelled:
-      return "cancelled";
-    case ErrorCode::cannot_write:
-      return "cannot-write";
+    case ErrorCode::invalid_argument: return "invalid-argument";
+    case ErrorCode::not_built_in: return "not-built-in";
+    case ErrorCode::cannot_open: return "cannot-open";
+    case ErrorCode::cannot_read: return "cannot-read";
+    case ErrorCode::unknown_format: return "unknown-format";
+    case ErrorCode::syntax: return "syntax";
+    case ErrorCode::unexpected_end: return "unexpected-end";
+    case ErrorCode::bad_number: return "bad-number";
+    case ErrorCode::not_finite: return "not-finite";
+    case ErrorCode::index_out_of_range: return "index-out-of-range";
+    case ErrorCode::unsupported: return "unsupported";
+    case ErrorCode::empty_mesh: return "empty-mesh";
+    case ErrorCode::non_manifold_edge: return "non-manifold-edge";
+    case ErrorCode::inconsistent_orientation: return "inconsistent-orientation";
+    case ErrorCode::repeated_vertex: return "repeated-vertex";
+    case ErrorCode::degenerate_face: return "degenerate-face";
+    case ErrorCode::duplicate_face: return "duplicate-face";
+    case ErrorCode::too_large: return "too-large";
+    case ErrorCode::unsuitable_for_scheme: return "unsuitable-for-scheme";
+    case ErrorCode::singular: return "singular";
+    case ErrorCode::mismatch: return "mismatch";
+    case ErrorCode::not_converged: return "not-converged";
+    case ErrorCode::cancelled: return "cancelled";
+    case ErrorCode::cannot_write: return "cannot-write";
   }
   return "unknown";
 }

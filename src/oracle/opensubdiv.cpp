@@ -1,18 +1,17 @@
-// Limit positions by OpenSubdiv. Most vertices take its limit mask after one uniform refinement of the
-// whole mesh. Where sharpness still fades, and at darts, where its mask is not the limit of its own
-// refined points, the one-ring is cut out and refined by OpenSubdiv alone until nothing moves: the
-// one-ring of a vertex determines the one-ring of its child.
+// Limit positions by OpenSubdiv. Most vertices take its limit mask after one uniform refinement of
+// the whole mesh. Where sharpness still fades, and at darts, where its mask is not the limit of its
+// own refined points, the one-ring is cut out and refined by OpenSubdiv alone until nothing moves:
+// the one-ring of a vertex determines the one-ring of its child.
 #include <surpass/oracle.hpp>
-
-#include <fmt/format.h>
-
-#include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-#include <opensubdiv/version.h>
 
 #include <algorithm>
 #include <map>
 #include <memory>
+
+#include <fmt/format.h>
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/version.h>
 
 namespace surpass {
 namespace {
@@ -132,9 +131,7 @@ bool is_semi_sharp(const Level& level, int v) {
                      [&](int e) { return fades(level.GetEdgeSharpness(e)); });
 }
 
-bool is_dart(const Level& level, int v) {
-  return level.GetVertexRule(v) == Sdc::Crease::RULE_DART;
-}
+bool is_dart(const Level& level, int v) { return level.GetVertexRule(v) == Sdc::Crease::RULE_DART; }
 
 // Limit of vertex 0 of a cut ring.
 Point limit_of_ring(Shape ring, Boundary boundary) {

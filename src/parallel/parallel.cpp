@@ -1,12 +1,12 @@
 #include "parallel/parallel.hpp"
 
 #if defined(SURPASS_THREADS_TBB)
+#include <optional>
+
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
-#include <optional>
 #elif defined(SURPASS_THREADS_STD)
 #include <atomic>
 #include <thread>

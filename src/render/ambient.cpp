@@ -35,7 +35,8 @@ SkyProbe::SkyProbe(const Scene& scene, int samples, float reach)
     : scene_(scene),
       rays_a_sample_(std::max(std::size_t{1}, kLeastRays / static_cast<std::size_t>(samples))),
       rays_a_pixel_(std::max(kLeastRays, rays_a_sample_ * static_cast<std::size_t>(samples))) {
-  for (std::size_t i = 0; i < kPattern * kPattern * rays_a_pixel_; ++i) {
+  const std::size_t count = std::size_t{kPattern} * kPattern * rays_a_pixel_;
+  for (std::size_t i = 0; i < count; ++i) {
     const double radius = std::sqrt(sequence(i, 0));  // cosine-weighted
     const double angle = 2 * std::numbers::pi * sequence(i, 1);
     const Eigen::Vector3d direction(radius * std::cos(angle), radius * std::sin(angle),

@@ -169,7 +169,7 @@ void Painter::add(Pixel& pixel, const Sight& sight, const Vec2& place, float spa
 // The colour of a pixel from the light that it saw, over the background.
 Colour Painter::develop(const Raster<Pixel>& band, int x, int y) const {
   const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(height_);
-  const Colour background = kTop + (kBottom - kTop) * down;
+  Colour background = kTop + (kBottom - kTop) * down;
   const Pixel& pixel = band.at(x, y);
   if (pixel.covered == 0) return background;
   const float open = smoothed_openness(band, x, y, kThickness * camera_.unit_side());

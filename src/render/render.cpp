@@ -12,7 +12,12 @@
 namespace surpass {
 namespace {
 
-using namespace picture;
+using picture::Camera;
+using picture::DisplayMesh;
+using picture::Painter;
+using picture::Scene;
+using picture::to_vector;
+using picture::Vec3;
 
 constexpr int kLargestSize = 16384;
 constexpr int kMostSamples = 1024;
@@ -58,7 +63,7 @@ double ball_radius(const RenderOptions& options) {
 Camera aim(const Mesh& mesh, const DisplayMesh& display, const RenderOptions& options) {
   std::vector<Point> fitted = options.frame;
   if (fitted.empty()) {
-    fitted = drawn_points(mesh, display);
+    fitted = picture::drawn_points(mesh, display);
     fitted.insert(fitted.end(), options.points.begin(), options.points.end());
   }
   return Camera(fitted, ball_radius(options), options);
@@ -75,7 +80,7 @@ std::vector<Vec3> to_unit(const std::vector<Point>& points, const Camera& camera
 
 Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Context& context) {
   if (auto checked = check_options(options); !checked) return tl::make_unexpected(checked.error());
-  const auto display = make_display_mesh(mesh, options);
+  const auto display = picture::make_display_mesh(mesh, options);
   if (!display) return tl::make_unexpected(display.error());
   const Camera camera = aim(mesh, *display, options);
   const std::vector<Vec3> points = to_unit(mesh.points, camera);

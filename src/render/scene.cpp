@@ -87,7 +87,7 @@ Result<Scene> Scene::build(std::span<const Vec3> points, std::span<const Triangl
 }
 
 void Scene::add_triangles(std::span<const Vec3> points, std::span<const Triangle> triangles) {
-  const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = new_buffer<std::array<float, 3>>(geometry, RTC_BUFFER_TYPE_VERTEX,
                                                     RTC_FORMAT_FLOAT3, points.size());
   auto* indices = new_buffer<std::array<unsigned, 3>>(geometry, RTC_BUFFER_TYPE_INDEX,
@@ -103,7 +103,7 @@ void Scene::add_triangles(std::span<const Vec3> points, std::span<const Triangle
 }
 
 void Scene::add_balls(std::span<const Vec3> balls, float radius) {
-  const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* spheres = new_buffer<std::array<float, 4>>(geometry, RTC_BUFFER_TYPE_VERTEX,
                                                    RTC_FORMAT_FLOAT4, balls.size());
   if (spheres != nullptr) {

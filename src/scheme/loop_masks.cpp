@@ -31,12 +31,9 @@ Mask even_mask(const LoopRing& ring, double center) {
 
 Mask vertex_mask_of(const LoopRing& ring, VertexRule rule) {
   switch (rule) {
-    case VertexRule::corner:
-      return center_only(ring);
-    case VertexRule::crease:
-      return curve_mask(ring, 3.0 / 4);
-    default:
-      return even_mask(ring, 1 - alpha(ring.size()));
+    case VertexRule::corner: return center_only(ring);
+    case VertexRule::crease: return curve_mask(ring, 3.0 / 4);
+    default: return even_mask(ring, 1 - alpha(ring.size()));
   }
 }
 
@@ -80,14 +77,11 @@ Mask dart_limit_mask(const LoopRing& ring) {
 // Limit mask of a ring whose sharpnesses are all 0 or infinite.
 Mask settled_limit_mask(const LoopRing& ring) {
   switch (ring.rule()) {
-    case VertexRule::corner:
-      return center_only(ring);
+    case VertexRule::corner: return center_only(ring);
     case VertexRule::crease:
       return ring.is_hoppe_curve() ? hoppe_limit_mask(ring) : curve_mask(ring, 2.0 / 3);
-    case VertexRule::dart:
-      return dart_limit_mask(ring);
-    default:
-      return even_mask(ring, beta(ring.size()));
+    case VertexRule::dart: return dart_limit_mask(ring);
+    default: return even_mask(ring, beta(ring.size()));
   }
 }
 

@@ -124,8 +124,8 @@ Tangents curve_tangents(const LoopRing& ring, std::size_t begin, std::size_t fac
   return t;
 }
 
-// At a fixed vertex the curves leave along their first edges, and a sector of one or two faces tends
-// to the plane between them.
+// At a fixed vertex the curves leave along their first edges, and a sector of one or two faces
+// tends to the plane between them.
 Tangents corner_tangents(const LoopRing& ring, std::size_t begin, std::size_t faces) {
   const std::size_t n = ring.size();
   Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0)};

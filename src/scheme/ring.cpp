@@ -29,14 +29,10 @@ VertexRule Ring::rule() const {
   const auto sharp =
       std::count_if(spoke_sharpness.begin(), spoke_sharpness.end(), [](float s) { return s > 0; });
   switch (sharp) {
-    case 0:
-      return VertexRule::smooth;
-    case 1:
-      return VertexRule::dart;
-    case 2:
-      return VertexRule::crease;
-    default:
-      return VertexRule::corner;
+    case 0: return VertexRule::smooth;
+    case 1: return VertexRule::dart;
+    case 2: return VertexRule::crease;
+    default: return VertexRule::corner;
   }
 }
 

@@ -11,22 +11,17 @@ namespace surpass {
 
 const char* name_of(Scheme scheme) {
   switch (scheme) {
-    case Scheme::loop:
-      return "loop";
+    case Scheme::loop: return "loop";
   }
   return "unknown";
 }
 
 const char* name_of(Boundary boundary) {
   switch (boundary) {
-    case Boundary::edge_only:
-      return "edge-only";
-    case Boundary::edge_and_corner:
-      return "edge-and-corner";
-    case Boundary::hoppe:
-      return "hoppe";
-    case Boundary::interior:
-      return "interior";
+    case Boundary::edge_only: return "edge-only";
+    case Boundary::edge_and_corner: return "edge-and-corner";
+    case Boundary::hoppe: return "hoppe";
+    case Boundary::interior: return "interior";
   }
   return "unknown";
 }

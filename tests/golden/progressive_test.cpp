@@ -1,9 +1,9 @@
 // Reference limit positions and control meshes, computed by an independent prototype with dense
 // linear algebra (progressive.json). Coordinates there have 15 digits.
+#include <fstream>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 #include "support/meshes.hpp"
 
@@ -63,7 +63,8 @@ TEST_P(ProgressiveReference, LimitPositionsMatch) {
 TEST_P(ProgressiveReference, ControlMeshesMatch) {
   const Case& c = GetParam();
   for (const Solver solver : {Solver::chebyshev, Solver::richardson, Solver::gauss_seidel}) {
-    const auto result = interpolate(c.mesh, {.rules = c.rules, .solver = solver, .tolerance = 1e-15});
+    const auto result =
+        interpolate(c.mesh, {.rules = c.rules, .solver = solver, .tolerance = 1e-15});
     ASSERT_TRUE(result) << describe(result.error());
     EXPECT_LT(test::max_distance(result->control.points, c.control), 1e-12) << name_of(solver);
   }

@@ -198,6 +198,7 @@ TEST(Refused, PlyText) {
        "f:13:7: vertex 3 is named here, but the file has 3, counted from 0"},
       {f, head + points + "-3 0 1 2\n", ErrorCode::syntax,
        "f:13:1: the list vertex_indices has a negative length"},
+      {f, head + points + "0\n", ErrorCode::syntax, "f:13:2: the face has no vertices; remove it"},
       {f, head + points + "300 0 1 2\n", ErrorCode::bad_number,
        "f:13:1: vertex_indices is no whole number that fits the header's type char"},
       {f, head + points + "3 0 1.5 2\n", ErrorCode::bad_number,

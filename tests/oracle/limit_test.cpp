@@ -20,7 +20,8 @@ void expect_same_limits(const Mesh& mesh, Boundary boundary, double tolerance) {
 class LimitAgainstOpenSubdiv : public testing::TestWithParam<std::tuple<int, int>> {
  protected:
   [[nodiscard]] test::RandomShape shape() const {
-    return {.seed = static_cast<std::uint64_t>(std::get<1>(GetParam())), .kind = std::get<0>(GetParam())};
+    return {.seed = static_cast<std::uint64_t>(std::get<1>(GetParam())),
+            .kind = std::get<0>(GetParam())};
   }
 };
 
@@ -68,7 +69,8 @@ TEST(LimitAgainstOpenSubdiv, DartsOfEveryValence) {
   }
 }
 
-// The reason for the detour in the oracle: OpenSubdiv's own limit mask at a dart moves with the level.
+// The reason for the detour in the oracle: OpenSubdiv's own limit mask at a dart moves with the
+// level.
 TEST(LimitAgainstOpenSubdiv, ItsDartMaskIsNotTheLimitOfItsPoints) {
   Mesh mesh = test::icosahedron();
   mesh.creases = {{{0, 11}, 10}, {{11, 5}, 10}};
@@ -103,7 +105,8 @@ TEST(LimitAgainstOpenSubdiv, BowTiesAreSharp) {
 }
 
 TEST(LimitAgainstOpenSubdiv, RefusesRulesItDoesNotHave) {
-  const auto result = opensubdiv_limit_positions(test::octahedron(), {Scheme::loop, Boundary::hoppe});
+  const auto result =
+      opensubdiv_limit_positions(test::octahedron(), {Scheme::loop, Boundary::hoppe});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid_argument);
 }

@@ -1,10 +1,11 @@
-// Every committed mesh, and every mesh of a folder given from outside, that can be interpolated at all:
-// to 1e-12 under each boundary rule, certified by us and, where it has the rule, by OpenSubdiv.
+// Every committed mesh, and every mesh of a folder given from outside, that can be interpolated at
+// all: to 1e-12 under each boundary rule, certified by us and, where it has the rule, by
+// OpenSubdiv.
+#include "support/meshes.hpp"
+
 #include <surpass/oracle.hpp>
 
 #include <gtest/gtest.h>
-
-#include "support/meshes.hpp"
 
 namespace surpass {
 namespace {

@@ -22,8 +22,8 @@ TEST(Normals, SmoothVerticesMatchOpenSubdiv) {
   }
 }
 
-// OpenSubdiv's mask across a boundary is an eigenvector of the boundary rule for up to three faces. For
-// more it is not; there the next tests let refinement decide.
+// OpenSubdiv's mask across a boundary is an eigenvector of the boundary rule for up to three faces.
+// For more it is not; there the next tests let refinement decide.
 TEST(Normals, BoundaryVerticesOfUpToThreeFacesMatchOpenSubdiv) {
   const Mesh mesh = test::random_mesh({.seed = 3, .kind = 2, .size = 8});
   const Topology topology = Topology::build(mesh).value();
@@ -38,7 +38,8 @@ TEST(Normals, BoundaryVerticesOfUpToThreeFacesMatchOpenSubdiv) {
   EXPECT_GT(compared, 5);
 }
 
-// Normal of one fan of refined faces around a vertex after `levels` steps: tends to the limit normal.
+// Normal of one fan of refined faces around a vertex after `levels` steps: tends to the limit
+// normal.
 Point refined_normal(const Mesh& mesh, const Rules& rules, Index v, int levels) {
   const Mesh fine = refine(mesh, rules, levels).value();
   const auto limit = limit_positions(fine, rules).value();
@@ -57,8 +58,8 @@ Point refined_normal(const Mesh& mesh, const Rules& rules, Index v, int levels) 
   return sum;
 }
 
-// The error of refined faces shrinks by a constant factor a level; were its limit not ours, the angle
-// would stay.
+// The error of refined faces shrinks by a constant factor a level; were its limit not ours, the
+// angle would stay.
 void expect_refined_normals_to_close_in(const Mesh& mesh, const Rules& rules, Index v) {
   const Point ours = limit_normals(mesh, rules).value()[v];
   const double coarse = angle(ours, refined_normal(mesh, rules, v, 2));
@@ -106,8 +107,8 @@ TEST(Normals, SemiSharpVerticesAreTheLimitOfRefinedFaces) {
 TEST(Normals, AreInvariantUnderRefinement) {
   for (const int kind : {0, 1, 2, 3, 4}) {
     for (const bool semi_sharp : {false, true}) {
-      const Mesh mesh = test::random_mesh(
-          {.seed = 21, .kind = kind, .creases = 0.1, .semi_sharp = semi_sharp});
+      const Mesh mesh =
+          test::random_mesh({.seed = 21, .kind = kind, .creases = 0.1, .semi_sharp = semi_sharp});
       for (const Boundary boundary :
            {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe}) {
         const Rules rules{Scheme::loop, boundary};

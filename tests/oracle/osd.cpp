@@ -1,10 +1,10 @@
 #include "osd.hpp"
 
-#include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-
 #include <cmath>
 #include <memory>
+
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/topologyDescriptor.h>
 
 namespace surpass::test {
 namespace {
@@ -22,7 +22,8 @@ struct Value {
 
 std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, Boundary boundary, int levels) {
   std::vector<int> sizes;
-  for (Index f = 0; f < mesh.face_count(); ++f) sizes.push_back(static_cast<int>(mesh.face(f).size()));
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    sizes.push_back(static_cast<int>(mesh.face(f).size()));
   const std::vector<int> vertices(mesh.face_vertices.begin(), mesh.face_vertices.end());
   std::vector<int> crease_ends;
   std::vector<float> crease_weights;

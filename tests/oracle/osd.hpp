@@ -7,8 +7,8 @@
 
 namespace surpass::test {
 
-/// Positions of all vertices after `levels` refinements, in OpenSubdiv's own order, and which of them
-/// descends from which given vertex.
+/// Positions of all vertices after `levels` refinements, in OpenSubdiv's own order, and which of
+/// them descends from which given vertex.
 struct OsdRefined {
   std::vector<Point> points;
   std::vector<Index> descendant;  ///< #V of the given mesh

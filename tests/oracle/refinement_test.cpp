@@ -1,7 +1,7 @@
 // Refined points against OpenSubdiv, matched by position: the two number new vertices differently.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "osd.hpp"
 

@@ -32,8 +32,7 @@ void check(const std::string& name, int cases, Property&& property) {
   rc::detail::TestMetadata metadata;
   metadata.id = name;
   metadata.description = name;
-  const auto result =
-      rc::detail::checkTestable(std::forward<Property>(property), metadata, params);
+  const auto result = rc::detail::checkTestable(std::forward<Property>(property), metadata, params);
   if (!result.template is<rc::detail::SuccessResult>()) {
     std::ostringstream text;
     rc::detail::printResultMessage(result, text);

@@ -1,8 +1,8 @@
 // Interpolation against dense linear algebra, naive code, and its own promises.
-#include <gtest/gtest.h>
+#include <sstream>
 
 #include <Eigen/Dense>
-#include <sstream>
+#include <gtest/gtest.h>
 
 #include "generators.hpp"
 
@@ -11,7 +11,8 @@ namespace {
 
 using Dense = Eigen::MatrixXd;
 
-// The limit operator column by column: limits of meshes with one vertex at (1, 0, 0) and the rest at 0.
+// The limit operator column by column: limits of meshes with one vertex at (1, 0, 0) and the rest
+// at 0.
 Dense dense_operator(const Mesh& mesh, const Rules& rules) {
   const auto n = static_cast<Eigen::Index>(mesh.points.size());
   Dense matrix(n, n);
@@ -47,7 +48,8 @@ TEST(Interpolation, PassesThroughEveryPointWithEverySolver) {
   test::check("interpolation", 40, [] {
     const Mesh mesh = test::any_mesh(true);
     const Rules rules = test::any_rules();
-    const Solver solver = *rc::gen::element(Solver::chebyshev, Solver::richardson, Solver::gauss_seidel);
+    const Solver solver =
+        *rc::gen::element(Solver::chebyshev, Solver::richardson, Solver::gauss_seidel);
     const auto result = interpolate(mesh, {.rules = rules, .solver = solver, .tolerance = 1e-13});
     RC_ASSERT(result.has_value());
     RC_ASSERT(result->report.converged);
@@ -120,8 +122,8 @@ TEST(Interpolation, RichardsonIsThePapersIteration) {
     errors.push_back(largest / side);
     x = next;
   }
-  const auto result = interpolate(
-      given, {.solver = Solver::richardson, .tolerance = 1e-15, .max_iterations = 12});
+  const auto result =
+      interpolate(given, {.solver = Solver::richardson, .tolerance = 1e-15, .max_iterations = 12});
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->report.converged);
   ASSERT_EQ(result->report.history.size(), 12U);
@@ -136,14 +138,16 @@ TEST(Interpolation, GoingDirectlyToTheLastIterationIsEnough) {
     const Rules rules = test::any_rules();
     const Solver solver = *rc::gen::element(Solver::chebyshev, Solver::richardson);
     const double tolerance = *rc::gen::element(1e-3, 1e-6, 1e-9);
-    const InterpolateOptions options{.rules = rules, .solver = solver, .tolerance = tolerance, .direct = true};
+    const InterpolateOptions options{
+        .rules = rules, .solver = solver, .tolerance = tolerance, .direct = true};
     const auto result = interpolate(mesh, options);
     RC_ASSERT(result.has_value());
     RC_ASSERT(result->report.converged);
     const auto predicted = Interpolator::create(mesh, options)->predict(mesh.points);
     RC_ASSERT(result->report.boundary_iterations == predicted->boundary_sweeps);
     // Testing after every iteration needs no more.
-    const auto tested = interpolate(mesh, {.rules = rules, .solver = solver, .tolerance = tolerance});
+    const auto tested =
+        interpolate(mesh, {.rules = rules, .solver = solver, .tolerance = tolerance});
     RC_ASSERT(tested->report.iterations <= predicted->sweeps + 1);
   });
 }
@@ -180,7 +184,8 @@ TEST(Interpolation, LeavesUnlistedVerticesAlone) {
   });
 }
 
-// A channel that holds a linear function of the positions must come out as that of the control points.
+// A channel that holds a linear function of the positions must come out as that of the control
+// points.
 TEST(Interpolation, CarriesChannelsAlong) {
   Mesh mesh = test::random_mesh({.seed = 4, .kind = 3, .creases = 0.05});
   Channel channel{"heat", {"a", "b"}, {}};
@@ -211,22 +216,21 @@ TEST(Interpolation, OneSetUpServesManyPointSets) {
   }
 }
 
-TEST(Interpolation, TellsWhenTheInteriorRuleIsSingular) {
-  // An open fan of three triangles: with the interior rule its operator has the eigenvalue zero along
-  // a combination found by the factorisation, or a solution that a dense solve confirms.
-  for (const Mesh& mesh : {test::triangle_grid(4, 4), test::triangle_grid(3, 6), test::bipyramid(5)}) {
-    const Rules rules{Scheme::loop, Boundary::interior};
-    const Dense matrix = dense_operator(mesh, rules);
-    const double smallest = matrix.jacobiSvd().singularValues().minCoeff();
+// With the interior rule on an open mesh the operator can have negative eigenvalues: two triangles
+// have -0.019. No iteration of ours converges there; the factorisation does.
+TEST(Interpolation, InteriorRuleOnOpenMeshesIsSolvedEvenWhereItIsIndefinite) {
+  const Mesh pair =
+      test::make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const Rules rules{Scheme::loop, Boundary::interior};
+  EXPECT_LT(dense_operator(pair, rules).eigenvalues().real().minCoeff(), -0.01);
+  for (const Mesh& mesh : {pair, test::triangle_grid(4, 4), test::triangle_grid(3, 6)}) {
     const auto result = interpolate(mesh, {.rules = rules, .tolerance = 1e-12});
-    if (smallest > 1e-8) {
-      ASSERT_TRUE(result) << describe(result.error());
-      EXPECT_TRUE(result->report.converged);
-      EXPECT_LT(certify(result->control, mesh.points, rules)->max, 1e-11);
-    } else {
-      ASSERT_FALSE(result);
-      EXPECT_EQ(result.error().code, ErrorCode::singular);
-    }
+    ASSERT_TRUE(result) << describe(result.error());
+    EXPECT_TRUE(result->report.converged);
+    EXPECT_LT(certify(result->control, mesh.points, rules)->max, 1e-11);
+    const Dense solution =
+        dense_operator(mesh, rules).partialPivLu().solve(dense_points(mesh.points));
+    EXPECT_LT(test::max_distance(result->control.points, points_of(solution)), 1e-9);
   }
 }
 

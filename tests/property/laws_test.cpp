@@ -1,9 +1,9 @@
 // Laws that hold for every mesh, whatever the masks are.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <numeric>
 #include <sstream>
+
+#include <gtest/gtest.h>
 
 #include "generators.hpp"
 

@@ -9,7 +9,8 @@ namespace {
 const Mesh& large_mesh() {
   static const Mesh mesh = [] {
     std::mt19937_64 random(17);
-    Mesh m = refine(test::random_mesh({.seed = 17, .kind = 3, .size = 10, .creases = 0.05}), {}, 4).value();
+    Mesh m = refine(test::random_mesh({.seed = 17, .kind = 3, .size = 10, .creases = 0.05}), {}, 4)
+                 .value();
     m.channels.push_back({"weight", {"weight"}, {}});
     for (const Point& p : m.points) m.channels[0].values.push_back(p[0] * p[1]);
     return test::jitter(m, random, 0.01);
@@ -21,7 +22,8 @@ TEST(Threads, InterpolationHasTheSameBits) {
   ASSERT_GT(large_mesh().points.size(), 20000U);
   for (const Solver solver : {Solver::chebyshev, Solver::richardson}) {
     for (const Boundary boundary : {Boundary::edge_and_corner, Boundary::hoppe}) {
-      const InterpolateOptions options{.rules = {Scheme::loop, boundary}, .solver = solver, .tolerance = 1e-8};
+      const InterpolateOptions options{
+          .rules = {Scheme::loop, boundary}, .solver = solver, .tolerance = 1e-8};
       Context context;
       context.threads = 1;
       const auto one = interpolate(large_mesh(), options, context);

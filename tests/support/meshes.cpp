@@ -94,8 +94,8 @@ Mesh flip_edges(const Mesh& mesh, std::mt19937_64& random, std::size_t tries) {
     const Index b = topology.head(h);
     const Index c = topology.tail(topology.previous(h));
     const Index d = topology.tail(topology.previous(g));
-    const bool simple = c != d && topology.find_edge(c, d) == kNone &&
-                        topology.valence(a) > 3 && topology.valence(b) > 3;
+    const bool simple = c != d && topology.find_edge(c, d) == kNone && topology.valence(a) > 3 &&
+                        topology.valence(b) > 3;
     if (!simple) continue;
     const auto set = [&](Index face, Index p, Index q, Index r) {
       std::copy_n(std::initializer_list<Index>{p, q, r}.begin(), 3,

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -35,22 +37,42 @@ bool same_position(const Point& ours, const Soup::first_type::value_type& theirs
   return same(ours[0], theirs.x()) && same(ours[1], theirs.y()) && same(ours[2], theirs.z());
 }
 
-void expect_same(const std::string& path) {
-  SCOPED_TRACE(path);
-  const auto ours = read_mesh(path);
-  ASSERT_TRUE(ours) << describe(ours.error());
-  Soup soup;
-  ASSERT_TRUE(CGAL::IO::read_polygon_soup(path, soup.first, soup.second));
-  ASSERT_EQ(ours->mesh.points.size(), soup.first.size());
-  for (std::size_t v = 0; v < soup.first.size(); ++v) {
-    ASSERT_TRUE(same_position(ours->mesh.points[v], soup.first[v])) << "vertex " << v;
+// CGAL gives up at OpenSubdiv's `t` lines in OBJ, so it is handed positions and faces only.
+bool read_with_cgal(const std::string& path, Soup& soup) {
+  if (format_of_path(path) != Format::obj) {
+    return CGAL::IO::read_polygon_soup(path, soup.first, soup.second);
   }
-  ASSERT_EQ(ours->mesh.face_count(), soup.second.size());
-  for (Index f = 0; f < ours->mesh.face_count(); ++f) {
-    const auto face = ours->mesh.face(f);
+  std::ifstream file(path);
+  std::stringstream lines;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("v ") || line.starts_with("f ")) lines << line << '\n';
+  }
+  return CGAL::IO::read_OBJ(lines, soup.first, soup.second);
+}
+
+enum class Outcome { compared, refused_by_cgal };
+
+void compare(const Mesh& ours, const Soup& soup) {
+  ASSERT_EQ(ours.points.size(), soup.first.size());
+  for (std::size_t v = 0; v < soup.first.size(); ++v) {
+    ASSERT_TRUE(same_position(ours.points[v], soup.first[v])) << "vertex " << v;
+  }
+  ASSERT_EQ(ours.face_count(), soup.second.size());
+  for (Index f = 0; f < ours.face_count(); ++f) {
+    const auto face = ours.face(f);
     ASSERT_TRUE(std::equal(face.begin(), face.end(), soup.second[f].begin(), soup.second[f].end()))
         << "face " << f;
   }
+}
+
+Outcome expect_same(const std::string& path) {
+  SCOPED_TRACE(path);
+  const auto ours = read_mesh(path);
+  EXPECT_TRUE(ours) << (ours ? "" : describe(ours.error()));
+  Soup soup;
+  if (!read_with_cgal(path, soup)) return Outcome::refused_by_cgal;
+  if (ours) compare(ours->mesh, soup);
+  return Outcome::compared;
 }
 
 // A polygon mesh of our own, so that the test means something without any data.
@@ -64,26 +86,32 @@ TEST(BesideCgal, WrittenMeshes) {
   for (const char* name : {"a.obj", "a.ply", "a.off"}) {
     const std::string path = (fs::path(testing::TempDir()) / name).string();
     ASSERT_TRUE(write_mesh(mesh, path));
-    expect_same(path);
+    EXPECT_EQ(expect_same(path), Outcome::compared);
     fs::remove(path);
   }
 }
 
 TEST(BesideCgal, CommittedMeshes) {
-  for (const std::string& path : meshes_below(SURPASS_DATA_DIR)) expect_same(path);
+  for (const std::string& path : meshes_below(SURPASS_DATA_DIR)) {
+    EXPECT_EQ(expect_same(path), Outcome::compared) << path;
+  }
 }
 
 TEST(BesideCgal, GivenMeshes) {
   const char* folder = std::getenv("SURPASS_TEST_DATA");
   if (folder == nullptr) GTEST_SKIP() << "SURPASS_TEST_DATA names no folder of meshes";
   std::size_t compared = 0;
+  std::vector<std::string> refused;  // CGAL wants the vertices of an OFF face on one line
   for (const char* kind : {"tri", "quad"}) {
     for (const std::string& path : meshes_below(fs::path(folder) / kind)) {
-      expect_same(path);
-      ++compared;
+      if (expect_same(path) == Outcome::compared) {
+        ++compared;
+      } else {
+        refused.push_back(path);
+      }
     }
   }
-  EXPECT_GT(compared, 0U);
+  EXPECT_GT(compared, 20 * refused.size()) << testing::PrintToString(refused);
 }
 
 }  // namespace

@@ -4,8 +4,15 @@
 namespace surpass {
 namespace {
 
-using namespace samples;
 using picture::Camera;
+using samples::brightness;
+using samples::count_drawn;
+using samples::draw;
+using samples::from_front;
+using samples::is_drawn;
+using samples::pixel;
+using samples::sphere;
+using samples::square;
 
 // Area in pixels of the disc that a sphere around the origin covers, by elementary geometry: its
 // outline is seen under the angle asin(r / d). `camera` was fitted to the unit sphere.
@@ -19,21 +26,23 @@ double disc_area(const Camera& camera, const RenderOptions& options, double radi
 }
 
 TEST(RenderPicture, SphereCoversItsDisc) {
-  const Mesh mesh = sphere(256, 128);
-  const RenderOptions options = from_front(800, 700);
+  const Mesh mesh = sphere(128, 64);
+  RenderOptions options = from_front(500, 450);
+  options.samples = 1;  // so that pixels count whose centre is covered
   const Camera camera(mesh.points, 0, options);
   const double expected = disc_area(camera, options, 1);
-  EXPECT_NEAR(count_drawn(draw(mesh, options)) / expected, 1, 0.01);
+  EXPECT_NEAR(count_drawn(draw(mesh, options)) / expected, 1, 0.003);
 }
 
 TEST(RenderPicture, FrameIsSharedByMeshesOfDifferentSize) {
-  RenderOptions options = from_front(800, 700);
-  options.frame = sphere(256, 128).points;
+  RenderOptions options = from_front(500, 450);
+  options.samples = 1;
+  options.frame = sphere(128, 64).points;
   const Camera camera(options.frame, 0, options);
   for (const double radius : {1.0, 0.5, 0.25}) {
     const double expected = disc_area(camera, options, radius);
-    const int drawn = count_drawn(draw(sphere(256, 128, radius), options));
-    EXPECT_NEAR(drawn / expected, 1, 0.015) << radius;
+    const int drawn = count_drawn(draw(sphere(128, 64, radius), options));
+    EXPECT_NEAR(drawn / expected, 1, 0.01) << radius;
   }
 }
 

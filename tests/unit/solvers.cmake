@@ -1,0 +1,2 @@
+find_package(Eigen3 REQUIRED)
+surpass_test(unit_solvers SOURCES direct_solve_test.cpp LABELS unit)
