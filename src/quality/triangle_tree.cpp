@@ -26,6 +26,7 @@ struct NearestTriangle {
   Index best;
   double best_distance;
 
+  // NOLINTBEGIN(readability-identifier-naming): the names are Eigen's.
   double minimumOnVolume(const Eigen::AlignedBox3d& box) const {
     const double distance = box.squaredExteriorDistance(point);
     return distance < best_distance ? distance : std::numeric_limits<double>::infinity();
@@ -38,6 +39,7 @@ struct NearestTriangle {
     }
     return best_distance;
   }
+  // NOLINTEND(readability-identifier-naming)
 };
 
 }  // namespace
