@@ -94,11 +94,14 @@ class Check : public Command {
     session.report["converged"] = within;
     if (const auto printed = session.print_result(text); !printed) return printed;
     if (within) return {};
-    return fail(ErrorCode::not_converged,
-                fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
-                            "than the tolerance {:.3g} (rules: {}, {}); files with 32-bit numbers "
-                            "reach about 1e-7",
-                            worst, tolerance, name_of(rules.scheme), name_of(rules.boundary)));
+    constexpr double kSinglePrecision = 1e-6;
+    const char* advice =
+        worst > kSinglePrecision ? "" : "; if a file holds 32-bit numbers, try --tolerance 1e-6";
+    return fail(
+        ErrorCode::not_converged,
+        fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
+                    "than the tolerance {:.3g} (rules: {}, {}){}",
+                    worst, tolerance, name_of(rules.scheme), name_of(rules.boundary), advice));
   }
 
   static std::string line(const Certificate& c) {

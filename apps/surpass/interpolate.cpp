@@ -89,9 +89,11 @@ void Interpolate::define(CLI::App& app) {
 }
 
 Result<void> Interpolate::run(Session& session) {
+  std::vector<std::string> inputs = {input_.path()};
+  if (!only_path_.empty()) inputs.push_back(only_path_);
   std::vector<std::string> surfaces;
   if (!surface_path_.empty()) surfaces.push_back(surface_path_);
-  const auto prepared = output_.prepare(session, {input_.path()}, surfaces);
+  const auto prepared = output_.prepare(session, inputs, surfaces);
   if (!prepared) return prepared;
 
   Result<LoadedMesh> loaded = input_.load(session);

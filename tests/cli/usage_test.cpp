@@ -78,6 +78,8 @@ TEST(Usage, OutputsThatCannotBeMeant) {
   expect_usage_error({"interpolate", given, "-o", folder / "link.obj"}, "is an input");
   expect_usage_error({"interpolate", given, "-o", folder / "a.obj", "--surface", folder / "a.obj"},
                      "are the same file");
+  const std::string list = folder.file("list.off", "0 1 2\n");
+  expect_usage_error({"interpolate", given, "-o", list, "--only", list}, "is an input");
   expect_usage_error({"interpolate", given, "-o", folder / "a.xyz"}, "does not name a format");
   expect_usage_error({"check", "-", "--against", "-"}, "only one input can be '-'");
   // The report goes where it was asked to go, and tells of the failure.
