@@ -77,9 +77,9 @@ Result<Image> draw(const Mesh& mesh, const Mesh* left, RenderOptions options,
   given.smooth = false;
   given.edges = true;
   given.points.clear();
-  const Result<Image> first = render(*left, given, context);
+  Result<Image> first = render(*left, given, context);
   if (!first) return first;
-  const Result<Image> second = render(mesh, options, context);
+  Result<Image> second = render(mesh, options, context);
   if (!second) return second;
   return beside({*first, *second});
 }
@@ -168,7 +168,7 @@ Result<void> Render::run(Session& session) {
   }
   std::vector<std::string> outputs = {output_path_};
   if (session.reporting()) outputs.push_back(session.report_path);
-  if (const auto checked = check_paths(inputs, outputs, false); !checked) return checked;
+  if (auto checked = check_paths(inputs, outputs, false); !checked) return checked;
 
   const Result<LoadedMesh> loaded = input_.load(session);
   if (!loaded) return tl::make_unexpected(loaded.error());
@@ -190,7 +190,7 @@ Result<void> Render::run(Session& session) {
 Result<Mesh> Render::surface(const Mesh& mesh, Session& session) const {
   if (levels_option_->empty()) return mesh;
   const Rules rules = rules_.choose(mesh, session);
-  if (const auto checked = check_levels(mesh, levels_); !checked) {
+  if (auto checked = check_levels(mesh, levels_); !checked) {
     return tl::make_unexpected(checked.error());
   }
   return session.timed("refine", [&] { return limit_mesh(mesh, rules, levels_, session.context); });

@@ -95,8 +95,8 @@ TEST(RenderEdges, LinesHaveTheSameWidthEverywhere) {
   for (const double depth : {0.0, -3.0}) {
     const std::vector<Point> points = {{-1, -1, depth}, {1, -1, depth}, {0, 1, depth}};
     const Camera camera(std::vector<Point>{{-1, -1, -3}, {1, 1, 0}}, 0, options);
-    std::vector<Vec3> unit;
-    for (const Point& p : points) unit.push_back(camera.to_unit(p));
+    std::vector<Vec3> unit(points.size());
+    for (std::size_t k = 0; k < 3; ++k) unit[k] = camera.to_unit(points[k]);
     const picture::EdgeLines lines(unit, camera);
     const picture::Triangle whole{{0, 1, 2}, {0, 1, 2}, {true, true, true}};
     const picture::Triangle cut{{0, 1, 2}, {0, 1, 2}, {false, true, true}};
