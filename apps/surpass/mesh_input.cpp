@@ -65,6 +65,9 @@ void add_from(CLI::App& app, Format& format, const std::string& description) {
 Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {
   Result<LoadedMesh> loaded = session.timed("read", [&] { return read_mesh(path, format); });
   if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
+  if (!loaded && loaded.error().code == ErrorCode::unknown_format) {
+    loaded.error().message += "; name it with --from";
+  }
   if (loaded) session.console.notes(loaded->notices);
   return loaded;
 }
@@ -81,11 +84,11 @@ Json mesh_json(const std::string& path, const Mesh& mesh) {
 
 std::string remedy(ErrorCode code) {
   switch (code) {
-    case ErrorCode::non_manifold_edge:
-    case ErrorCode::inconsistent_orientation:
-    case ErrorCode::repeated_vertex:
+    case ErrorCode::non_manifold_edge: return "--repair splits such edges";
+    case ErrorCode::inconsistent_orientation: return "--repair turns such faces";
+    case ErrorCode::repeated_vertex: return "--repair mends such faces";
     case ErrorCode::degenerate_face:
-    case ErrorCode::duplicate_face: return "--repair mends such meshes";
+    case ErrorCode::duplicate_face: return "--repair drops such faces";
     case ErrorCode::unsuitable_for_scheme: return "--triangulate cuts polygons into triangles";
     default: return {};
   }

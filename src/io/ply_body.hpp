@@ -120,6 +120,21 @@ class PlyBytes {
     return true;
   }
 
+  /// Reads rows that are one list of 32-bit whole numbers below `limit` each. False, and nothing is
+  /// consumed, for other lists and wherever reading row by row finds something to refuse.
+  [[nodiscard]] bool gather_lists(const PlyElement& element, std::uint64_t limit,
+                                  std::vector<Index>& values, std::vector<Index>& offsets) {
+    const PlyProperty& list = element.properties.front();
+    if (element.properties.size() != 1 || !list.count_type) return false;
+    if (list.type != Storage::int32 && list.type != Storage::uint32) return false;
+    switch (*list.count_type) {
+      case Storage::uint8: return copy_lists<std::uint8_t>(element.count, limit, values, offsets);
+      case Storage::int32:
+      case Storage::uint32: return copy_lists<std::uint32_t>(element.count, limit, values, offsets);
+      default: return false;
+    }
+  }
+
  private:
   template <class T>
   static bool copy_column(const char* from, std::size_t from_stride, std::size_t count, double* to,
@@ -131,6 +146,34 @@ class PlyBytes {
       sum += value * 0.0;
     }
     return sum == 0;
+  }
+
+  // Negative numbers count as large ones, which are out of range as well.
+  template <class Length>
+  bool copy_lists(std::uint64_t rows, std::uint64_t limit, std::vector<Index>& values,
+                  std::vector<Index>& offsets) {
+    const char* p = at();
+    const char* end = p + left();
+    for (std::uint64_t row = 0; row < rows; ++row) {
+      if (static_cast<std::size_t>(end - p) < sizeof(Length)) return false;
+      const std::size_t count = load<Length, kSwapped>(p);
+      p += sizeof(Length);
+      const std::size_t first = values.size();
+      if (count == 0 || static_cast<std::size_t>(end - p) / sizeof(Index) < count ||
+          first + count >= kNone) {
+        return false;
+      }
+      values.resize(first + count);
+      Index largest = 0;
+      for (std::size_t k = 0; k < count; ++k, p += sizeof(Index)) {
+        values[first + k] = load<Index, kSwapped>(p);
+        largest = std::max(largest, values[first + k]);
+      }
+      if (largest >= limit) return false;
+      offsets.push_back(static_cast<Index>(values.size()));
+    }
+    scan_.move_to(p);
+    return true;
   }
 
   Scanner& scan_;

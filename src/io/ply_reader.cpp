@@ -176,6 +176,13 @@ bool PlyReader<Source>::read_faces(const PlyElement& element) {
   const auto count = static_cast<std::size_t>(element.count);
   mesh_.face_offsets.reserve(count + 1);
   mesh_.face_vertices.reserve(std::min<std::size_t>(3 * count, scan_.left()));
+  if constexpr (Source::kBinary) {
+    if (source_.gather_lists(element, vertex_count_, mesh_.face_vertices, mesh_.face_offsets)) {
+      return true;
+    }
+    mesh_.face_vertices.clear();  // row by row the offending value is found, if there is one
+    mesh_.face_offsets.resize(1);
+  }
   std::vector<Column> columns(element.properties.size());
   std::vector<double> hole;
   if (const auto k = element.find("hole"); k && !element.properties[*k].count_type) {
@@ -291,6 +298,11 @@ bool PlyReader<Source>::add_crease(double a, double b, double sharpness, const c
 
 template <class Source>
 bool PlyReader<Source>::read_strips(const PlyElement& element) {
+  if (const PlyElement* faces = header_.find("face"); faces != nullptr && faces->count != 0) {
+    return scan_.fail(ErrorCode::unsupported,
+                      "the file has faces and triangle strips; save it with faces only",
+                      element.place);
+  }
   const char* list = element.find("vertex_index") ? "vertex_index" : "vertex_indices";
   if (!require(element, list, true)) return false;
   const std::size_t indices = *element.find(list);

@@ -24,7 +24,7 @@ Result<Format> detect(std::string_view bytes, const std::string& name,
   if (by_name == Format::automatic && by_bytes == Format::automatic) {
     return fail(ErrorCode::unknown_format,
                 "neither the name nor the first bytes show a format that is known (OBJ, PLY, OFF, "
-                "STL); name it with --from",
+                "STL)",
                 {.file = name});
   }
   if (by_bytes == Format::automatic) return by_name;

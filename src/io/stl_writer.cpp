@@ -114,8 +114,8 @@ Result<void> check_triangles(const Mesh& mesh) {
     const std::size_t corners = mesh.face(f).size();
     if (corners == 3) continue;
     return fail(ErrorCode::unsuitable_for_scheme,
-                fmt::format("STL holds triangles only, and this face has {} corners; use "
-                            "--triangulate, or write another format",
+                fmt::format("STL holds triangles only, and this face has {} corners; "
+                            "triangulate the mesh, or write another format",
                             corners),
                 {.face = f});
   }

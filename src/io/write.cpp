@@ -112,7 +112,7 @@ Result<void> write_format(const Mesh& mesh, const WriteOptions& options, std::st
   }
   return fail(ErrorCode::unknown_format,
               "no format to write is known; end the name in .obj, .ply, .off or .stl, or name the "
-              "format with --to");
+              "format");
 }
 
 }  // namespace

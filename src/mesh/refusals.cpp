@@ -15,10 +15,9 @@ Error too_large() {
 }
 
 Error degenerate_face(Index face, std::size_t degree) {
-  return {
-      ErrorCode::degenerate_face,
-      fmt::format("a face needs at least 3 vertices, this one has {}; --repair drops it", degree),
-      {.face = face}};
+  return {ErrorCode::degenerate_face,
+          fmt::format("a face needs at least 3 vertices, this one has {}", degree),
+          {.face = face}};
 }
 
 Error index_out_of_range(Index face, Index vertex, std::size_t vertex_count) {
@@ -29,13 +28,13 @@ Error index_out_of_range(Index face, Index vertex, std::size_t vertex_count) {
 
 Error repeated_vertex(Index face, Index vertex) {
   return {ErrorCode::repeated_vertex,
-          "a face names the same vertex twice; --repair mends it",
+          "a face names the same vertex twice",
           {.vertex = vertex, .face = face}};
 }
 
 Error duplicate_face(Index face, Index first) {
   return {ErrorCode::duplicate_face,
-          fmt::format("a face has the same vertices as face {}; --repair drops it", first),
+          fmt::format("a face has the same vertices as face {}", first),
           {.face = face}};
 }
 
@@ -47,14 +46,13 @@ Error not_finite(Index vertex, const Point& point) {
 
 Error non_manifold_edge(Index face, std::array<Index, 2> edge, Index faces) {
   return {ErrorCode::non_manifold_edge,
-          fmt::format("an edge has {} faces; at most 2 can meet at one; --repair splits it", faces),
+          fmt::format("an edge has {} faces; at most 2 can meet at one", faces),
           {.face = face, .edge = edge}};
 }
 
 Error inconsistent_orientation(Index face, std::array<Index, 2> edge) {
   return {ErrorCode::inconsistent_orientation,
-          "the two faces at an edge run along it in the same direction: one of them is inside out; "
-          "--repair turns it",
+          "the two faces at an edge run along it in the same direction: one of them is inside out",
           {.face = face, .edge = edge}};
 }
 

@@ -124,7 +124,7 @@ class Remarker {
       if (target[v] != v) coincident.add(fmt::format("{} on {}", v, target[v]));
     }
     add(coincident, "vertex", "vertices",
-        "with exactly the coordinates of another (--weld 0 would merge them)");
+        "with exactly the coordinates of another (a weld by 0 would merge them)");
   }
 
   void remark_on_shapes() {

@@ -101,17 +101,15 @@ Shape cut_ring(const Level& level, const std::vector<Value>& points, int center)
     return at->second;
   };
   add(center);
-  const auto faces = level.GetVertexFaces(center);
-  for (int i = 0; i < faces.size(); ++i) {
-    const auto vertices = level.GetFaceVertices(faces[i]);
+  for (const int face : level.GetVertexFaces(center)) {
+    const auto vertices = level.GetFaceVertices(face);
     shape.face_sizes.push_back(vertices.size());
-    for (int k = 0; k < vertices.size(); ++k) shape.face_vertices.push_back(add(vertices[k]));
+    for (const int v : vertices) shape.face_vertices.push_back(add(v));
   }
-  const auto edges = level.GetVertexEdges(center);
-  for (int i = 0; i < edges.size(); ++i) {
-    const float sharpness = level.GetEdgeSharpness(edges[i]);
-    if (sharpness <= 0 || level.IsEdgeBoundary(edges[i])) continue;
-    const auto ends = level.GetEdgeVertices(edges[i]);
+  for (const int edge : level.GetVertexEdges(center)) {
+    const float sharpness = level.GetEdgeSharpness(edge);
+    if (sharpness <= 0 || level.IsEdgeBoundary(edge)) continue;
+    const auto ends = level.GetEdgeVertices(edge);
     shape.crease_vertices.insert(shape.crease_vertices.end(), {add(ends[0]), add(ends[1])});
     shape.crease_sharpness.push_back(sharpness);
   }
@@ -183,7 +181,7 @@ Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const
   std::size_t deep = 0;
   for (int v = 0; v < base.GetNumVertices(); ++v) {
     const auto i = static_cast<std::size_t>(v);
-    if (base.GetVertexFaces(v).size() == 0) continue;  // isolated: its own limit
+    if (base.GetVertexFaces(v).empty()) continue;  // isolated: its own limit
     if (is_semi_sharp(base, v) || is_dart(base, v)) {
       positions[i] = limit_of_ring(cut_ring(base, shape.points, v), rules.boundary);
       ++deep;

@@ -176,6 +176,11 @@ TEST(Refused, PlyHeaders) {
       {f, "ply\nformat ascii 1.0\nelement vertex 3\nproperty quad x\n", ErrorCode::syntax,
        "f:4:10: 'quad' is no PLY type; there are char, uchar, short, ushort, int, uint, float, "
        "double, and int8 to float64"},
+      {f,
+       kVertexHeader + "element tristrips 1\nproperty list int int vertex_indices\n" + kFaceHeader +
+           "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n",
+       ErrorCode::unsupported,
+       "f:7:1: the file has faces and triangle strips; save it with faces only"},
       {f, kVertexHeader + "property float x\n", ErrorCode::syntax,
        "f:7:16: property 'x' is there twice"},
       {f, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
@@ -303,8 +308,7 @@ TEST(Refused, WholeFiles) {
   }
   expect_refused({
       {Format::automatic, "1 2 3\n", ErrorCode::unknown_format,
-       "f: neither the name nor the first bytes show a format that is known (OBJ, PLY, OFF, STL); "
-       "name it with --from"},
+       "f: neither the name nor the first bytes show a format that is known (OBJ, PLY, OFF, STL)"},
       {Format::obj, "# nothing\n", ErrorCode::empty_mesh, "f: there are no vertices in the file"},
       {Format::off, "OFF\n0 0 0\n", ErrorCode::empty_mesh, "f: there are no vertices in the file"},
       {Format::stl, "solid a\nendsolid a", ErrorCode::empty_mesh,
