@@ -29,13 +29,15 @@ Connections connect(const Topology& topology) {
   return c;
 }
 
-void refuse_polygons(const Mesh& mesh, Diagnosis& diagnosis) {
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+void refuse_polygons(const Mesh& mesh, Scheme scheme, Diagnosis& diagnosis) {
+  const Index fit = face_size(scheme);
+  for (Index f = 0; fit != 0 && f < mesh.face_count(); ++f) {
     const std::size_t size = mesh.face(f).size();
-    if (size <= 3) continue;
+    if (size <= fit) continue;
     diagnosis.refusals.push_back(
         {ErrorCode::unsuitable_for_scheme,
-         fmt::format("Loop's scheme takes triangles only, and this face has {} corners", size),
+         fmt::format("the scheme {} takes triangles only, and this face has {} corners",
+                     name_of(scheme), size),
          Place{.face = f}});
     ++diagnosis.refusal_count;
     return;  // the first one tells all
@@ -171,7 +173,7 @@ Anatomy examine(const Mesh& mesh, Scheme scheme) {
   for (Index f = 0; f < mesh.face_count(); ++f) ++anatomy.face_sizes[mesh.face(f).size()];
   anatomy.box = bounding_box(mesh.points);
   anatomy.diagnosis = diagnose(mesh);
-  if (scheme == Scheme::loop) refuse_polygons(mesh, anatomy.diagnosis);
+  refuse_polygons(mesh, scheme, anatomy.diagnosis);
   if (const Result<Topology> topology = Topology::build(mesh)) {
     anatomy.connections = connect(*topology);
   }

@@ -20,18 +20,30 @@ enum class Boundary {
   interior,  ///< Loop: the interior limit mask over the edge neighbours; limit positions only
 };
 
+/// The two families of Doo-Sabin weights in a face of m vertices. They are the same for m = 4.
+enum class Weights {
+  averaging,  ///< Catmull and Clark 1978: means of vertex, edge midpoints and centroid
+  cosine,     ///< Doo and Sabin 1978: (3 + 2 cos(2 pi j / m)) / (4 m)
+};
+
 /// A scheme and how it treats boundaries.
 struct Rules {
   Scheme scheme = Scheme::loop;
   Boundary boundary = Boundary::edge_and_corner;
+  Weights weights = Weights::averaging;  ///< of Doo-Sabin surfaces; other schemes have no choice
   bool operator==(const Rules&) const = default;
 };
 
-/// "loop"; "edge-only", "edge-and-corner", "hoppe", "interior".
+/// "loop"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Boundary boundary);
+[[nodiscard]] const char* name_of(Weights weights);
 [[nodiscard]] Result<Scheme> scheme_named(std::string_view name);
 [[nodiscard]] Result<Boundary> boundary_named(std::string_view name);
+[[nodiscard]] Result<Weights> weights_named(std::string_view name);
+
+/// Vertices that each face must have; 0 for any number.
+[[nodiscard]] Index face_size(Scheme scheme);
 
 /// #V limit positions of the control vertices. Isolated vertices are their own limit. O(#corners).
 /// Fails where Topology::build does, or if the scheme does not take such faces.

@@ -39,7 +39,8 @@ struct Refinement {
   Mesh mesh;
   SparseRows stencil;
 };
-Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
-                              const Context& context);
+
+/// Positions and vertex channels of the refined mesh.
+void apply_stencil(const Mesh& mesh, Refinement& step, const Context& context);
 
 }  // namespace surpass

@@ -1,7 +1,7 @@
 // Loop subdivision on whole meshes: limit operator, refinement, normals.
 #pragma once
 
-#include "scheme/limit_operator.hpp"
+#include "scheme/subdivision_scheme.hpp"
 
 namespace surpass::loop {
 
@@ -13,5 +13,7 @@ Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, Bounda
 
 Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
                                          Boundary boundary, const Context& context);
+
+[[nodiscard]] const SubdivisionScheme& scheme();
 
 }  // namespace surpass::loop

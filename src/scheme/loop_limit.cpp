@@ -1,24 +1,10 @@
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "scheme/loop.hpp"
 #include "scheme/loop_masks.hpp"
 
 namespace surpass::loop {
 namespace {
-
-Result<void> require_triangles(const Topology& topology) {
-  for (Index f = 0; f < topology.face_count(); ++f) {
-    if (topology.face_degree(f) == 3) continue;
-    return fail(ErrorCode::unsuitable_for_scheme,
-                fmt::format("Loop surfaces are made of triangles, and a face has {} vertices; "
-                            "triangulate the mesh first",
-                            topology.face_degree(f)),
-                {.face = f});
-  }
-  return {};
-}
 
 // beta(n) for every valence of a plain vertex, so that no cosine is taken a million times.
 std::vector<double> beta_table(const std::vector<Index>& valences) {
@@ -65,7 +51,6 @@ RowFacts facts_of(const LoopRing& ring, const std::vector<double>& mask) {
 
 Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, Boundary boundary,
                                      const Context& context) {
-  if (auto ok = require_triangles(topology); !ok) return tl::make_unexpected(ok.error());
   const auto sharpness = Sharpness::build(mesh, topology, boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
 

@@ -1,20 +1,32 @@
 #include <surpass/scheme.hpp>
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include <fmt/format.h>
 
-#include "scheme/limit_operator.hpp"
 #include "scheme/loop.hpp"
+#include "scheme/subdivision_scheme.hpp"
 
 namespace surpass {
 
-const char* name_of(Scheme scheme) {
+namespace {
+
+constexpr std::array kSchemes = {Scheme::loop};
+constexpr std::array kBoundaries = {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe,
+                                    Boundary::interior};
+
+}  // namespace
+
+const SubdivisionScheme& scheme_of(Scheme scheme) {
   switch (scheme) {
-    case Scheme::loop: return "loop";
+    case Scheme::loop: break;
   }
-  return "unknown";
+  return loop::scheme();
 }
+
+const char* name_of(Scheme scheme) { return scheme_of(scheme).name(); }
 
 const char* name_of(Boundary boundary) {
   switch (boundary) {
@@ -27,14 +39,18 @@ const char* name_of(Boundary boundary) {
 }
 
 Result<Scheme> scheme_named(std::string_view name) {
-  if (name == "loop") return Scheme::loop;
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("there is no scheme \"{}\"; this version has: loop", name));
+  std::vector<std::string> known;
+  for (const Scheme s : kSchemes) {
+    if (name == name_of(s)) return s;
+    known.emplace_back(name_of(s));
+  }
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("there is no scheme \"{}\"; this version has: {}", name, fmt::join(known, ", ")));
 }
 
 Result<Boundary> boundary_named(std::string_view name) {
-  for (const Boundary b :
-       {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe, Boundary::interior}) {
+  for (const Boundary b : kBoundaries) {
     if (name == name_of(b)) return b;
   }
   return fail(ErrorCode::invalid_argument,
@@ -43,49 +59,101 @@ Result<Boundary> boundary_named(std::string_view name) {
                           name));
 }
 
-Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, const Rules& rules,
-                                     const Context& context) {
-  return loop::limit_operator(mesh, topology, rules.boundary, context);
+const char* name_of(Weights weights) { return weights == Weights::cosine ? "cosine" : "averaging"; }
+
+Result<Weights> weights_named(std::string_view name) {
+  for (const Weights w : {Weights::averaging, Weights::cosine}) {
+    if (name == name_of(w)) return w;
+  }
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("there are no weights \"{}\"; there are averaging and cosine", name));
 }
 
-Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
-                              const Context& context) {
-  return loop::refinement(mesh, topology, rules.boundary, context);
+Index face_size(Scheme scheme) { return scheme_of(scheme).face_size(); }
+
+Result<void> require_suitable(const SubdivisionScheme& scheme, const Topology& topology,
+                              const Rules& rules) {
+  if (!scheme.has_boundary_rule(rules.boundary)) {
+    std::vector<std::string> known;
+    for (const Boundary b : kBoundaries) {
+      if (scheme.has_boundary_rule(b)) known.emplace_back(name_of(b));
+    }
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} surfaces have no boundary rule `{}`; they have {}", scheme.title(),
+                            name_of(rules.boundary), fmt::join(known, " and ")));
+  }
+  const Index size = scheme.face_size();
+  for (Index f = 0; size != 0 && f < topology.face_count(); ++f) {
+    if (topology.face_degree(f) == size) continue;
+    return fail(ErrorCode::unsuitable_for_scheme,
+                fmt::format("{} surfaces are made of triangles, and a face has {} vertices; "
+                            "triangulate the mesh first",
+                            scheme.title(), topology.face_degree(f)),
+                {.face = f});
+  }
+  return {};
+}
+
+namespace {
+
+// What every question about a mesh begins with.
+Result<Topology> suitable_topology(const Mesh& mesh, const Rules& rules) {
+  auto topology = Topology::build(mesh);
+  if (!topology) return topology;
+  if (auto ok = require_suitable(scheme_of(rules.scheme), *topology, rules); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  return topology;
+}
+
+}  // namespace
+
+Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                                     const Context& context) {
+  const SubdivisionScheme& scheme = scheme_of(rules.scheme);
+  if (auto ok = require_suitable(scheme, topology, rules); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  return scheme.limit_operator(mesh, topology, rules, context);
 }
 
 Result<std::vector<Point>> limit_positions(const Mesh& control, const Rules& rules,
                                            const Context& context) {
-  const auto topology = Topology::build(control);
+  const auto topology = suitable_topology(control, rules);
   if (!topology) return tl::make_unexpected(topology.error());
-  const auto op = limit_operator(control, *topology, rules, context);
+  const auto op = scheme_of(rules.scheme).limit_operator(control, *topology, rules, context);
   if (!op) return tl::make_unexpected(op.error());
   return op->rows.apply(context, control.points);
 }
 
 Result<std::vector<Point>> limit_normals(const Mesh& control, const Rules& rules,
                                          const Context& context) {
-  const auto topology = Topology::build(control);
+  const auto topology = suitable_topology(control, rules);
   if (!topology) return tl::make_unexpected(topology.error());
-  return loop::limit_normals(control, *topology, rules.boundary, context);
+  return scheme_of(rules.scheme).limit_normals(control, *topology, rules, context);
 }
 
 namespace {
 
 Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& context) {
-  const auto topology = Topology::build(mesh);
+  const auto topology = suitable_topology(mesh, rules);
   if (!topology) return tl::make_unexpected(topology.error());
-  auto step = refinement(mesh, *topology, rules, context);
+  auto step = scheme_of(rules.scheme).refinement(mesh, *topology, rules, context);
   if (!step) return tl::make_unexpected(step.error());
-  step->mesh.points = step->stencil.apply(context, mesh.points);
-  for (const Channel& channel : mesh.channels) {
-    Channel& refined = step->mesh.channels.emplace_back(channel);
-    refined.values.resize(step->stencil.row_count() * channel.width());
-    step->stencil.apply(context, channel.width(), channel.values, refined.values);
-  }
+  apply_stencil(mesh, *step, context);
   return std::move(step->mesh);
 }
 
 }  // namespace
+
+void apply_stencil(const Mesh& mesh, Refinement& step, const Context& context) {
+  step.mesh.points = step.stencil.apply(context, mesh.points);
+  for (const Channel& channel : mesh.channels) {
+    Channel& refined = step.mesh.channels.emplace_back(channel);
+    refined.values.resize(step.stencil.row_count() * channel.width());
+    step.stencil.apply(context, channel.width(), channel.values, refined.values);
+  }
+}
 
 Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels, const Context& context) {
   if (levels < 0) {
@@ -105,30 +173,40 @@ Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels, const C
   return mesh;
 }
 
-Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
-                        const Context& context) {
+void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
+                   const Context& context) {
+  mesh.points = rows.apply(context, mesh.points);
+  std::erase_if(mesh.channels, [](const Channel& c) { return c.name == "normal"; });
+  for (Channel& channel : mesh.channels) {
+    std::vector<double> limits(rows.row_count() * channel.width());
+    rows.apply(context, channel.width(), channel.values, limits);
+    channel.values = std::move(limits);
+  }
+  std::erase_if(mesh.corner_channels, [](const CornerChannel& c) { return c.name == "normal"; });
+  const auto values = flat(normals);
+  mesh.channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
+  std::erase_if(mesh.annotations, [](const auto& a) {
+    return a.first == "scheme" || a.first == "boundary" || a.first == "weights";
+  });
+}
+
+Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                                           const Context& context) const {
   auto mesh = refine(control, rules, levels, context);
   if (!mesh) return mesh;
-  const auto topology = Topology::build(*mesh);
+  const auto topology = suitable_topology(*mesh, rules);
   if (!topology) return tl::make_unexpected(topology.error());
   const auto op = limit_operator(*mesh, *topology, rules, context);
   if (!op) return tl::make_unexpected(op.error());
-  const auto normals = loop::limit_normals(*mesh, *topology, rules.boundary, context);
+  const auto normals = limit_normals(*mesh, *topology, rules, context);
   if (!normals) return tl::make_unexpected(normals.error());
-
-  mesh->points = op->rows.apply(context, mesh->points);
-  std::erase_if(mesh->channels, [](const Channel& c) { return c.name == "normal"; });
-  for (Channel& channel : mesh->channels) {
-    const std::vector<double> control_values = channel.values;
-    op->rows.apply(context, channel.width(), control_values, channel.values);
-  }
-  std::erase_if(mesh->corner_channels, [](const CornerChannel& c) { return c.name == "normal"; });
-  const auto values = flat(*normals);
-  mesh->channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
-  // What lies on the limit surface is no control mesh any more.
-  std::erase_if(mesh->annotations,
-                [](const auto& a) { return a.first == "scheme" || a.first == "boundary"; });
+  move_to_limit(*mesh, op->rows, *normals, context);
   return mesh;
+}
+
+Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                        const Context& context) {
+  return scheme_of(rules.scheme).limit_mesh(control, rules, levels, context);
 }
 
 }  // namespace surpass

@@ -1,0 +1,54 @@
+// What the rest of the library knows of a subdivision scheme. One object a scheme; nothing outside
+// this folder asks which one it is.
+#pragma once
+
+#include "scheme/limit_operator.hpp"
+
+namespace surpass {
+
+class SubdivisionScheme {
+ public:
+  SubdivisionScheme() = default;
+  SubdivisionScheme(const SubdivisionScheme&) = delete;
+  SubdivisionScheme& operator=(const SubdivisionScheme&) = delete;
+  virtual ~SubdivisionScheme() = default;
+
+  [[nodiscard]] virtual const char* name() const = 0;   ///< as on the command line
+  [[nodiscard]] virtual const char* title() const = 0;  ///< as in a sentence
+
+  /// Vertices that each face must have; 0 for any number.
+  [[nodiscard]] virtual Index face_size() const { return 0; }
+  [[nodiscard]] virtual bool has_boundary_rule(Boundary boundary) const = 0;
+
+  // The rules and the faces have been checked when these are called; what else a scheme refuses
+  // (a kind of crease, say) it finds by itself.
+  [[nodiscard]] virtual Result<LimitOperator> limit_operator(const Mesh& mesh,
+                                                             const Topology& topology,
+                                                             const Rules& rules,
+                                                             const Context& context) const = 0;
+  [[nodiscard]] virtual Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
+                                                      const Rules& rules,
+                                                      const Context& context) const = 0;
+  [[nodiscard]] virtual Result<std::vector<Point>> limit_normals(const Mesh& mesh,
+                                                                 const Topology& topology,
+                                                                 const Rules& rules,
+                                                                 const Context& context) const = 0;
+
+  /// See surpass::limit_mesh. Here: the refined vertices, moved to their limits.
+  [[nodiscard]] virtual Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                                                const Context& context) const;
+};
+
+[[nodiscard]] const SubdivisionScheme& scheme_of(Scheme scheme);
+
+/// Fails if the scheme lacks the boundary rule or does not take a face.
+Result<void> require_suitable(const SubdivisionScheme& scheme, const Topology& topology,
+                              const Rules& rules);
+
+/// Moves the vertices of a refined mesh: positions and vertex channels are replaced by their limits
+/// under `rows`, the normals put into channel "normal", and what says that the mesh is a control
+/// mesh is taken away.
+void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
+                   const Context& context);
+
+}  // namespace surpass
