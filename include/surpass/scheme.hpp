@@ -9,7 +9,7 @@
 
 namespace surpass {
 
-enum class Scheme { loop };
+enum class Scheme { loop, catmull_clark };
 
 /// What happens at the boundary of an open mesh. Names and meaning of the first two are
 /// OpenSubdiv's.
@@ -34,7 +34,7 @@ struct Rules {
   bool operator==(const Rules&) const = default;
 };
 
-/// "loop"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
+/// "loop", "catmull-clark"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Boundary boundary);
 [[nodiscard]] const char* name_of(Weights weights);
@@ -59,7 +59,7 @@ struct Rules {
                                                        const Context& context = {});
 
 /// The mesh after `levels` refinement steps (0 returns it unchanged). Vertices of the given mesh
-/// come first and in order, then one per edge. Vertex channels are refined like positions, corner
+/// come first and in order, then one per edge, then (Catmull-Clark) one per face. Vertex channels are refined like positions, corner
 /// channels linearly; face sets, holes, creases and corners (sharpness less one) are inherited.
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context = {});

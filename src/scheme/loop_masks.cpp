@@ -7,8 +7,6 @@
 namespace surpass::loop {
 namespace {
 
-using Mask = std::vector<double>;
-
 Mask center_only(const LoopRing& ring) {
   Mask mask(ring.size() + 1, 0.0);
   mask[0] = 1;
@@ -85,10 +83,6 @@ Mask settled_limit_mask(const LoopRing& ring) {
   }
 }
 
-void blend(Mask& into, double share, const Mask& other) {
-  for (std::size_t i = 0; i < into.size(); ++i) into[i] = share * into[i] + (1 - share) * other[i];
-}
-
 }  // namespace
 
 double alpha(std::size_t n) {
@@ -130,7 +124,7 @@ LoopRing LoopRing::child() const {
   return ring;
 }
 
-std::vector<double> vertex_mask(const LoopRing& ring) {
+Mask vertex_mask(const LoopRing& ring) {
   const VertexRule rule = ring.rule();
   Mask mask = vertex_mask_of(ring, rule);
   if (rule == VertexRule::smooth || rule == VertexRule::dart) return mask;
@@ -148,7 +142,7 @@ double boundary_edge_share(Boundary boundary, bool first_regular, bool second_re
   return first_regular ? 5.0 / 8 : 3.0 / 8;
 }
 
-std::vector<double> spoke_mask(const LoopRing& ring, std::size_t j) {
+Mask spoke_mask(const LoopRing& ring, std::size_t j) {
   const std::size_t n = ring.size();
   Mask mask(n + 1, 0.0);
   if (ring.open && (j == 0 || j + 1 == n)) {
@@ -164,41 +158,20 @@ std::vector<double> spoke_mask(const LoopRing& ring, std::size_t j) {
   return mask;
 }
 
-std::vector<double> compose(const std::vector<double>& mask,
-                            const std::vector<std::vector<double>>& weights) {
-  Mask composed(weights.front().size(), 0.0);
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] == 0) continue;
-    for (std::size_t k = 0; k < composed.size(); ++k) composed[k] += mask[i] * weights[i][k];
-  }
-  return composed;
+std::vector<Mask> LoopRing::child_masks() const {
+  std::vector<Mask> masks = {vertex_mask(*this)};
+  for (std::size_t j = 0; j < size(); ++j) masks.push_back(spoke_mask(*this, j));
+  return masks;
 }
 
-SettledRing settle(const LoopRing& ring) {
-  const std::size_t n = ring.size();
-  SettledRing settled{ring, std::vector(n + 1, Mask(n + 1, 0.0))};
-  for (std::size_t i = 0; i <= n; ++i) settled.weights[i][i] = 1;
-  while (!settled.ring.is_settled()) {
-    std::vector<Mask> next;
-    next.reserve(n + 1);
-    next.push_back(compose(vertex_mask(settled.ring), settled.weights));
-    for (std::size_t j = 0; j < n; ++j) {
-      next.push_back(compose(spoke_mask(settled.ring, j), settled.weights));
-    }
-    settled.weights = std::move(next);
-    settled.ring = settled.ring.child();
-  }
-  return settled;
-}
-
-std::vector<double> limit_mask(const LoopRing& ring) {
+Mask limit_mask(const LoopRing& ring) {
   if (ring.boundary == Boundary::interior && ring.open && ring.sharpness <= 0) {
     return even_mask(ring, beta(ring.size()));
   }
   // A vertex that stays a corner for good is its own limit, however its neighbours move.
   if (is_infinite(ring.sharpness)) return center_only(ring);
   if (!ring.is_semi_sharp()) return settled_limit_mask(ring);
-  const SettledRing settled = settle(ring);
+  const auto settled = settle(ring, [](const LoopRing& r) { return r.is_settled(); });
   return compose(settled_limit_mask(settled.ring), settled.weights);
 }
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "scheme/ring.hpp"
+#include "scheme/settle.hpp"
+#include "scheme/tangents.hpp"
 
 namespace surpass::loop {
 
@@ -31,42 +33,26 @@ struct LoopRing : Ring {
   /// neighbours are regular.
   [[nodiscard]] bool is_settled() const;
   [[nodiscard]] LoopRing child() const;
+  [[nodiscard]] std::size_t point_count() const { return size() + 1; }
+  [[nodiscard]] std::vector<Mask> child_masks() const;
   static LoopRing around(const Topology& topology, const Sharpness& sharpness, Boundary boundary,
                          Index v);
 };
 
 /// Refined position of the center.
-[[nodiscard]] std::vector<double> vertex_mask(const LoopRing& ring);
+[[nodiscard]] Mask vertex_mask(const LoopRing& ring);
 
 /// Limit position of the center, semi-sharp rings included.
-[[nodiscard]] std::vector<double> limit_mask(const LoopRing& ring);
+[[nodiscard]] Mask limit_mask(const LoopRing& ring);
 
 /// The new points on the spokes: mask j is for the edge from the center to spoke j.
-[[nodiscard]] std::vector<double> spoke_mask(const LoopRing& ring, std::size_t j);
+[[nodiscard]] Mask spoke_mask(const LoopRing& ring, std::size_t j);
 
 /// Share of the boundary edge's point that goes to its first vertex, under any boundary rule.
 [[nodiscard]] double boundary_edge_share(Boundary boundary, bool first_regular,
                                          bool second_regular);
 
-/// Limit normal's ingredients: one pair of tangent masks for every smooth sector at the vertex.
-/// Crossed in this order they point to the outside.
-struct Tangents {
-  std::vector<double> first;
-  std::vector<double> second;
-};
 /// The ring must be settled.
 [[nodiscard]] std::vector<Tangents> tangent_masks(const LoopRing& ring);
-
-/// Follows a ring through refinement until it is settled.
-/// `weights`: row i, in the order center, spokes, holds the mask of the ring's i-th final point.
-struct SettledRing {
-  LoopRing ring;
-  std::vector<std::vector<double>> weights;
-};
-[[nodiscard]] SettledRing settle(const LoopRing& ring);
-
-/// mask * weights: a mask over the settled ring, expressed in the points of the given one.
-[[nodiscard]] std::vector<double> compose(const std::vector<double>& mask,
-                                          const std::vector<std::vector<double>>& weights);
 
 }  // namespace surpass::loop

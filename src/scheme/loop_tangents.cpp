@@ -11,7 +11,6 @@
 namespace surpass::loop {
 namespace {
 
-using Mask = std::vector<double>;
 constexpr double kPi = std::numbers::pi;
 
 double angle(std::size_t j, std::size_t n) {
@@ -141,31 +140,21 @@ std::vector<Tangents> tangent_masks(const LoopRing& ring) {
   const VertexRule rule = ring.rule();
   if (rule == VertexRule::smooth) return {smooth_tangents(ring)};
   if (rule == VertexRule::dart) return {dart_tangents(ring)};
-  const std::vector<std::size_t> sharp = ring.sharp_spokes();
-  const std::size_t n = ring.size();
-  std::vector<Tangents> sectors;
-  const bool corner = rule == VertexRule::corner;
-  // Sectors lie between consecutive sharp spokes; an open ring has none behind its last spoke. A
-  // sharp vertex with fewer than two sharp edges is a tip, all around.
-  const bool tip = sharp.size() < 2;
-  for (std::size_t i = 0; i < (tip ? n : sharp.size()); ++i) {
-    const bool last = i + 1 == sharp.size();
-    if (ring.open && last) break;
-    const std::size_t begin = tip ? i : sharp[i];
-    const std::size_t faces = tip ? 1 : (sharp[last ? 0 : i + 1] + n - begin - 1) % n + 1;
-    if (!corner) {
-      sectors.push_back(curve_tangents(ring, begin, faces));
+  std::vector<Tangents> tangents;
+  for (const auto [begin, faces] : sectors(ring)) {
+    if (rule == VertexRule::crease) {
+      tangents.push_back(curve_tangents(ring, begin, faces));
     } else if (faces <= 2) {
-      sectors.push_back(corner_tangents(ring, begin, faces));
+      tangents.push_back(corner_tangents(ring, begin, faces));
     } else {
       // Loop's rules have no tangent plane at a corner of more faces: the mode of the faces inside
       // fades more slowly than the curves. The planes of the control faces stand in for it.
       for (std::size_t j = 0; j < faces; ++j) {
-        sectors.push_back(corner_tangents(ring, begin + j, 1));
+        tangents.push_back(corner_tangents(ring, begin + j, 1));
       }
     }
   }
-  return sectors;
+  return tangents;
 }
 
 }  // namespace surpass::loop

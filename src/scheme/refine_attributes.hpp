@@ -19,4 +19,8 @@ void inherit_face_attributes(const Mesh& mesh, const std::vector<Index>& childre
 /// Corners that shared a row of values, and edges that shared both, share their refined rows.
 void refine_corner_channels_of_triangles(const Mesh& mesh, Mesh& refined);
 
+/// Corner channels of polygons cut into a quad at each corner (corner, edge, face, edge), linearly:
+/// face values are means. Sharing of rows as above.
+void refine_corner_channels_to_quads(const Mesh& mesh, Mesh& refined);
+
 }  // namespace surpass

@@ -49,6 +49,23 @@ Ring Ring::child() const {
   return ring;
 }
 
+std::vector<Sector> sectors(const Ring& ring) {
+  const std::vector<std::size_t> sharp = ring.sharp_spokes();
+  const std::size_t n = ring.size();
+  std::vector<Sector> found;
+  if (sharp.size() < 2) {
+    for (std::size_t j = 0; j < n; ++j) found.push_back({j, 1});
+    return found;
+  }
+  for (std::size_t i = 0; i < sharp.size(); ++i) {
+    const bool last = i + 1 == sharp.size();
+    if (ring.open && last) break;  // nothing is behind the last spoke
+    const std::size_t next = sharp[last ? 0 : i + 1];
+    found.push_back({sharp[i], (next + n - sharp[i] - 1) % n + 1});
+  }
+  return found;
+}
+
 float transitional_weight(const Ring& parent, const Ring& child) {
   float sum = 0;
   int count = 0;

@@ -32,6 +32,15 @@ struct Ring {
   static Ring around(const Topology& topology, const Sharpness& sharpness, Index v);
 };
 
+/// Consecutive faces between two sharp spokes: spokes begin .. begin + faces, modulo the size.
+struct Sector {
+  std::size_t begin;
+  std::size_t faces;
+};
+/// The sectors of a crease or corner ring. A sharp vertex with fewer than two sharp edges is a tip,
+/// each of whose faces is a sector of its own.
+[[nodiscard]] std::vector<Sector> sectors(const Ring& ring);
+
 /// How much of the parent's rule remains where the child's differs: the mean of the sharpnesses
 /// that run out in this step (OpenSubdiv's uniform creasing; computed in float as there).
 [[nodiscard]] float transitional_weight(const Ring& parent, const Ring& child);

@@ -1,0 +1,66 @@
+#include "scheme/catmull_clark.hpp"
+#include "scheme/catmull_clark_masks.hpp"
+#include "scheme/catmull_clark_rows.hpp"
+
+namespace surpass::catmull_clark {
+namespace {
+
+// What is known of a row's place in the symmetric form; see limit_operator.hpp.
+struct RowFacts {
+  double weight = 0;
+  double lowest = 0;
+  bool curve = false;
+};
+
+// Interior rows: with d = n (n + 5), diag(d) L is symmetric, and x'Sx is the sum over vertices of
+// (n^2 - 3n) x^2, twice the sum over edges of (x_a + x_b)^2 and four times that over faces of
+// (sum x)^2 / m. So every eigenvalue is at least the smallest (n - 3) / (n + 5), whatever the
+// faces: nothing for valence 3, less than nothing for valence 2.
+RowFacts surface_facts(std::size_t valence) {
+  const auto n = static_cast<double>(valence);
+  return {n * (n + 5), (n - 3) / (n + 5), false};
+}
+
+RowFacts facts_of(const FaceRing& ring) {
+  const VertexRule rule = ring.rule();
+  if (is_infinite(ring.sharpness)) return {1, 1, true};
+  if (ring.is_semi_sharp()) return {0, 0, rule != VertexRule::dart};
+  if (rule == VertexRule::corner) return {1, 1, true};
+  if (rule == VertexRule::dart) return {0, 0, false};
+  if (rule == VertexRule::crease) return {6, 1.0 / 3, true};  // Gershgorin: 2/3 - 1/6 - 1/6
+  return surface_facts(ring.size());
+}
+
+}  // namespace
+
+Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, Boundary boundary,
+                                     const Context& context) {
+  const auto sharpness = Sharpness::build(mesh, topology, boundary);
+  if (!sharpness) return tl::make_unexpected(sharpness.error());
+  const Index n = topology.vertex_count();
+  LimitOperator op;
+  op.symmetric_weight.assign(n, 1.0);
+  op.lowest_eigenvalue.assign(n, 1.0);
+  op.on_curve.assign(n, 1);
+  const VertexRows rows(topology, *sharpness, limit_row, limit_mask);
+  op.rows = SparseRows::build(
+      context, n, [&](Index v) { return rows.length(v); },
+      [&](Index v, std::span<Index> columns, std::span<double> weights) {
+        rows.fill(v, columns, weights);
+      });
+  parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto v = static_cast<Index>(i);
+      if (topology.is_isolated(v)) continue;
+      const RowFacts facts = sharpness->is_plain(v)
+                                 ? surface_facts(topology.valence(v))
+                                 : facts_of(FaceRing::around(topology, *sharpness, v));
+      op.symmetric_weight[i] = facts.weight;
+      op.lowest_eigenvalue[i] = facts.lowest;
+      op.on_curve[i] = facts.curve ? 1 : 0;
+    }
+  });
+  return op;
+}
+
+}  // namespace surpass::catmull_clark

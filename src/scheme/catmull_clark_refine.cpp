@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "scheme/catmull_clark.hpp"
+#include "scheme/catmull_clark_rows.hpp"
+#include "scheme/refine_attributes.hpp"
+
+namespace surpass::catmull_clark {
+namespace {
+
+// Calls put(vertex, weight) for the new point of an edge: its ends and, where it is not fully
+// sharp, the centroids of its faces.
+template <class Put>
+void edge_row(const Topology& topology, const Sharpness& sharpness, Index e, Put&& put) {
+  const Index h = topology.edge_halfedge(e);
+  const double crease = std::min(1.0, static_cast<double>(sharpness.edge(topology, e)));
+  double end = crease / 2 + (1 - crease) / 4;
+  if (crease < 1) {
+    for (const Index side : {h, topology.opposite(h)}) {
+      end += (1 - crease) / (4.0 * topology.face_degree(topology.face(side)));
+    }
+  }
+  put(topology.tail(h), end);
+  put(topology.head(h), end);
+  if (crease == 1) return;
+  for (const Index side : {h, topology.opposite(h)}) {
+    const double share = (1 - crease) / (4.0 * topology.face_degree(topology.face(side)));
+    for (Index k = topology.next(topology.next(side)); k != side; k = topology.next(k)) {
+      put(topology.tail(k), share);
+    }
+  }
+}
+
+SparseRows stencil(const Topology& topology, const Sharpness& sharpness, const Context& context) {
+  const Index edges = topology.vertex_count();
+  const Index faces = edges + topology.edge_count();
+  const VertexRows vertices(topology, sharpness, refined_row, vertex_mask);
+  return SparseRows::build(
+      context, faces + topology.face_count(),
+      [&](Index i) -> Index {
+        if (i < edges) return vertices.length(i);
+        if (i >= faces) return topology.face_degree(i - faces);
+        Index length = 0;
+        edge_row(topology, sharpness, i - edges, [&](Index, double) { ++length; });
+        return length;
+      },
+      [&](Index i, std::span<Index> columns, std::span<double> weights) {
+        std::size_t k = 0;
+        const auto put = [&](Index v, double w) {
+          columns[k] = v;
+          weights[k++] = w;
+        };
+        if (i < edges) {
+          vertices.fill(i, columns, weights);
+        } else if (i < faces) {
+          edge_row(topology, sharpness, i - edges, put);
+        } else {
+          const Index f = i - faces;
+          const double share = 1.0 / topology.face_degree(f);
+          for (Index h = topology.face_begin(f); h < topology.face_end(f); ++h) {
+            put(topology.tail(h), share);
+          }
+        }
+      });
+}
+
+}  // namespace
+
+Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, Boundary boundary,
+                              const Context& context) {
+  const auto sharpness = Sharpness::build(mesh, topology, boundary);
+  if (!sharpness) return tl::make_unexpected(sharpness.error());
+  const std::uint64_t corners = std::uint64_t{4} * topology.corner_count();
+  if (corners > kNone / 2) {
+    return fail(ErrorCode::too_large,
+                fmt::format("the refined mesh would have {} face corners", corners));
+  }
+
+  Refinement refined;
+  refined.stencil = stencil(topology, *sharpness, context);
+  const Index edges = topology.vertex_count();
+  const Index faces = edges + topology.edge_count();
+  Mesh& out = refined.mesh;
+  out.face_offsets.resize(std::size_t{topology.corner_count()} + 1);
+  for (std::size_t f = 0; f < out.face_offsets.size(); ++f) {
+    out.face_offsets[f] = static_cast<Index>(4 * f);
+  }
+  out.face_vertices.resize(corners);
+  parallel::for_ranges(context, topology.corner_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto h = static_cast<Index>(i);
+      Index* quad = out.face_vertices.data() + 4 * i;
+      quad[0] = topology.tail(h);
+      quad[1] = edges + topology.edge(h);
+      quad[2] = faces + topology.face(h);
+      quad[3] = edges + topology.edge(topology.previous(h));
+    }
+  });
+  inherit_creases(mesh, topology, out);
+  std::vector<Index> children(topology.face_count());
+  for (Index f = 0; f < topology.face_count(); ++f) children[f] = topology.face_degree(f);
+  inherit_face_attributes(mesh, children, out);
+  refine_corner_channels_to_quads(mesh, out);
+  return refined;
+}
+
+}  // namespace surpass::catmull_clark

@@ -1,0 +1,29 @@
+// Rows of weights over the rings of vertices: refined positions and limit positions alike.
+#pragma once
+
+#include <span>
+
+#include "scheme/catmull_clark_masks.hpp"
+
+namespace surpass::catmull_clark {
+
+class VertexRows {
+ public:
+  using Plain = PlainRow (*)(std::size_t valence);
+  using Special = Mask (*)(const FaceRing& ring);
+
+  /// `plain` is used where no crease, corner or boundary is near, `special` elsewhere.
+  VertexRows(const Topology& topology, const Sharpness& sharpness, Plain plain, Special special)
+      : topology_(topology), sharpness_(sharpness), plain_(plain), special_(special) {}
+
+  [[nodiscard]] Index length(Index v) const;
+  void fill(Index v, std::span<Index> columns, std::span<double> weights) const;
+
+ private:
+  const Topology& topology_;
+  const Sharpness& sharpness_;
+  Plain plain_;
+  Special special_;
+};
+
+}  // namespace surpass::catmull_clark
