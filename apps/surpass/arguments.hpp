@@ -40,7 +40,7 @@ CLI::Validator in_range(Number low, Number high) {
 /// an optional that stays empty without the option.
 template <class Target, class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& option, Target& target,
-                        std::initializer_list<Value> choices, const std::string& description) {
+                        const std::vector<Value>& choices, const std::string& description) {
   std::vector<std::pair<std::string, Value>> table;
   std::vector<std::string> names;
   for (const Value choice : choices) {
@@ -62,6 +62,12 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Target& target
   return app.add_option_function<std::string>(option, store, description)
       ->check(CLI::Validator(known, ""))
       ->type_name(fmt::format("{}", fmt::join(names, "|")));
+}
+
+template <class Value, class Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, Target& target,
+                        std::initializer_list<Value> choices, const std::string& description) {
+  return add_choice(app, option, target, std::vector<Value>(choices), description);
 }
 
 }  // namespace surpass::cli

@@ -17,13 +17,9 @@ void add_oracle(CLI::App& app, bool& oracle) {
 Result<void> check_oracle(bool oracle, const Rules& rules) {
   if (!oracle) return {};
 #ifdef SURPASS_ORACLE
-  if (rules.boundary == Boundary::hoppe || rules.boundary == Boundary::interior) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("OpenSubdiv has no boundary rule '{}'; leave out --oracle, or choose "
-                            "--boundary edge-only or edge-and-corner",
-                            name_of(rules.boundary)));
-  }
-  return {};
+  auto known = opensubdiv_knows(rules);
+  if (!known) known.error().message += "; leave out --oracle";
+  return known;
 #else
   static_cast<void>(rules);
   return fail(ErrorCode::not_built_in,

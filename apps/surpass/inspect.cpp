@@ -1,4 +1,6 @@
 // surpass inspect MESH
+#include <optional>
+
 #include "anatomy.hpp"
 #include "arguments.hpp"
 #include "command.hpp"
@@ -13,8 +15,9 @@ class Inspect : public Command {
  public:
   void define(CLI::App& app) override {
     input_.define(app, "MESH", "The mesh to look at");
-    add_choice(app, "--scheme", scheme_, {Scheme::loop}, "The scheme that shall accept the mesh")
-        ->default_str(name_of(scheme_))
+    add_choice(app, "--scheme", scheme_, all_schemes(),
+               "The scheme that shall accept the mesh; by default loop for triangles and "
+               "catmull-clark for other faces")
         ->group("Surface");
     app.footer(
         "Exit code 0 if the mesh would be accepted, 3 if it would be refused; all is printed\n"
@@ -30,8 +33,9 @@ class Inspect : public Command {
     if (!loaded) return tl::make_unexpected(loaded.error());
     const Mesh& mesh = loaded->mesh;
 
-    const Anatomy anatomy = session.timed("inspect", [&] { return examine(mesh, scheme_); });
-    session.report["scheme"] = name_of(scheme_);
+    const Scheme scheme = scheme_.value_or(suggested_scheme(mesh));
+    const Anatomy anatomy = session.timed("inspect", [&] { return examine(mesh, scheme); });
+    session.report["scheme"] = name_of(scheme);
     session.report["anatomy"] = anatomy_json(mesh, anatomy);
     const std::string table =
         fmt::format("{:20}{} ({})\n", "file", input_.path(), name_of(loaded->format)) +
@@ -43,7 +47,7 @@ class Inspect : public Command {
 
  private:
   MeshInput input_;
-  Scheme scheme_ = Scheme::loop;
+  std::optional<Scheme> scheme_;
 };
 
 }  // namespace

@@ -2,6 +2,11 @@
 //
 // Read, mend, solve, certify before and after rounding, write. Everything is computed before
 // anything is written.
+#include <surpass/topology.hpp>
+
+#include <algorithm>
+#include <optional>
+
 #include "arguments.hpp"
 #include "command.hpp"
 #include "evaluator.hpp"
@@ -23,6 +28,7 @@ class Interpolate : public Command {
   Result<void> run(Session& session) override;
 
  private:
+  Result<void> list_certified(const Mesh& given);
   Result<void> choose_options(const Mesh& given, Session& session);
   Result<Interpolated> solve(const Mesh& given, Session& session) const;
   Result<Verdict> verify(const Mesh& control, const Mesh& given, Session& session) const;
@@ -36,6 +42,7 @@ class Interpolate : public Command {
   RulesOption rules_;
   InterpolateOptions options_;
   std::string only_path_;
+  std::optional<std::vector<Index>> certified_;  ///< all vertices, if there is no list
   std::string surface_path_;
   int levels_ = 3;
   bool keep_best_ = false;
@@ -81,6 +88,13 @@ void Interpolate::define(CLI::App& app) {
                  "between, # comments); the others stay as given")
       ->type_name("FILE")
       ->group("Solver");
+  app.add_option(
+         "--skip-component", options_.skip_components,
+         "Leave these connected components of the control mesh as given (numbers from 0, as "
+         "an error names them, with commas between)")
+      ->delimiter(',')
+      ->type_name("N,...")
+      ->group("Solver");
   app.add_flag("--keep-best", keep_best_,
                "Write the mesh even if the tolerance was not reached; the exit code stays 4")
       ->group("Output");
@@ -106,6 +120,7 @@ Result<void> Interpolate::run(Session& session) {
   if (!found) return tl::make_unexpected(found.error());
   const Result<Verdict> verdict = verify(found->control, given, session);
   if (!verdict) return tl::make_unexpected(verdict.error());
+  session.report["solver"] = found->report.solver;
   add_solve_report(found->report, *verdict, session.report);
   session.console.notes(found->report.notes);
   session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), given.vertex_count(),
@@ -145,11 +160,32 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
   if (!surface_path_.empty()) {
     if (const auto checked = check_levels(given, levels_); !checked) return checked;
   }
-  if (only_path_.empty()) return {};
-  Result<std::vector<Index>> only = read_vertex_list(only_path_, given.vertex_count());
-  if (!only) return tl::make_unexpected(only.error());
-  options_.only = std::move(*only);
-  session.report["only"] = options_.only.size();
+  if (!only_path_.empty()) {
+    Result<std::vector<Index>> only = read_vertex_list(only_path_, given.vertex_count());
+    if (!only) return tl::make_unexpected(only.error());
+    options_.only = std::move(*only);
+    session.report["only"] = options_.only.size();
+  }
+  return list_certified(given);
+}
+
+/// What --only and --skip-component leave to be certified.
+Result<void> Interpolate::list_certified(const Mesh& given) {
+  if (options_.only.empty() && options_.skip_components.empty()) return {};
+  const Result<Topology> topology = Topology::build(given);
+  if (!topology) return tl::make_unexpected(topology.error());
+  const Components components = find_components(*topology);
+  const auto& skip = options_.skip_components;
+  certified_.emplace();
+  const auto add = [&](Index v) {
+    const bool skipped = std::find(skip.begin(), skip.end(), components.of_vertex[v]) != skip.end();
+    if (!skipped) certified_->push_back(v);
+  };
+  if (options_.only.empty()) {
+    for (Index v = 0; v < given.vertex_count(); ++v) add(v);
+  } else {
+    for (const Index v : options_.only) add(v);
+  }
   return {};
 }
 
@@ -193,15 +229,15 @@ Result<Verdict> Interpolate::verify(const Mesh& control, const Mesh& given,
   });
 }
 
-/// certify(), for the vertices of --only where there is such a list.
+/// certify(), for the vertices that are to be met.
 Result<Certificate> Interpolate::certify_listed(const Mesh& control, const Mesh& given,
                                                 const Context& context) const {
-  if (options_.only.empty()) return certify(control, given.points, options_.rules, context);
+  if (!certified_) return certify(control, given.points, options_.rules, context);
   const Result<std::vector<Point>> limit = limit_positions(control, options_.rules, context);
   if (!limit) return tl::make_unexpected(limit.error());
   std::vector<Point> listed_limit;
   std::vector<Point> listed_given;
-  for (const Index v : options_.only) {
+  for (const Index v : *certified_) {
     listed_limit.push_back((*limit)[v]);
     listed_given.push_back(given.points[v]);
   }
@@ -213,7 +249,7 @@ Result<Certificate> Interpolate::certify_listed(const Mesh& control, const Mesh&
   found->max *= scale;
   found->mean *= scale;
   found->box_side /= scale;
-  found->worst_vertex = options_.only[found->worst_vertex];
+  if (!certified_->empty()) found->worst_vertex = (*certified_)[found->worst_vertex];
   return found;
 }
 

@@ -90,6 +90,7 @@ std::string remedy(ErrorCode code) {
     case ErrorCode::degenerate_face:
     case ErrorCode::duplicate_face: return "--repair drops such faces";
     case ErrorCode::unsuitable_for_scheme: return "--triangulate cuts polygons into triangles";
+    case ErrorCode::singular: return "--skip-component N leaves component N as it is";
     default: return {};
   }
 }

@@ -60,8 +60,10 @@ std::optional<Value> annotated(const Mesh& mesh, const char* key,
 }  // namespace
 
 void RulesOption::define(CLI::App& app) {
-  add_choice(app, "--scheme", scheme_, {Scheme::loop},
-             "Subdivision scheme; by default the one that the file records, else loop")
+  add_choice(
+      app, "--scheme", scheme_, all_schemes(),
+      "Subdivision scheme; by default the one that the file records, else loop for triangles "
+      "and catmull-clark for other faces")
       ->group("Surface");
   add_choice(app, "--boundary", boundary_,
              {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe, Boundary::interior},
@@ -69,12 +71,19 @@ void RulesOption::define(CLI::App& app) {
              "edge-and-corner. edge-only: the boundary curve is the cubic B-spline of the boundary "
              "polygon; edge-and-corner: and vertices of a single face stay fixed; hoppe: the rules "
              "of the progressive-interpolation paper; interior: the interior mask everywhere, "
-             "limit positions only")
+             "limit positions only; the last two are for loop")
+      ->group("Surface");
+  add_choice(
+      app, "--weights", weights_, {Weights::averaging, Weights::cosine},
+      "Weights of doo-sabin in faces without four corners: averaging (Catmull and Clark 1978, "
+      "the reconstruction paper's) or cosine (Doo and Sabin 1978); by default what the file "
+      "records, else averaging")
       ->group("Surface");
 }
 
 Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
   Rules rules;
+  rules.scheme = suggested_scheme(mesh);
   Console& console = session.console;
   if (const auto found = annotated(mesh, "scheme", scheme_named, console)) rules.scheme = *found;
   if (scheme_) rules.scheme = *scheme_;
@@ -85,6 +94,10 @@ Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
   } else if (const auto tagged = tagged_boundary(mesh, console)) {
     rules.boundary = *tagged;
   }
+  if (const auto found = annotated(mesh, "weights", weights_named, console)) {
+    rules.weights = *found;
+  }
+  if (weights_) rules.weights = *weights_;
   session.report["scheme"] = name_of(rules.scheme);
   session.report["boundary"] = name_of(rules.boundary);
   return rules;
@@ -93,6 +106,7 @@ Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
 void record(const Rules& rules, Mesh& mesh) {
   mesh.annotate("scheme", name_of(rules.scheme));
   mesh.annotate("boundary", name_of(rules.boundary));
+  if (rules.weights != Weights{}) mesh.annotate("weights", name_of(rules.weights));
   const std::size_t dropped = std::erase_if(mesh.tags, is_boundary_tag);
   if (dropped == 0) return;
   // The tag stays only where it can say the rule, for programs that read no annotation.
@@ -103,8 +117,9 @@ void record(const Rules& rules, Mesh& mesh) {
 }
 
 void forget_rules(Mesh& mesh) {
-  std::erase_if(mesh.annotations,
-                [](const auto& a) { return a.first == "scheme" || a.first == "boundary"; });
+  std::erase_if(mesh.annotations, [](const auto& a) {
+    return a.first == "scheme" || a.first == "boundary" || a.first == "weights";
+  });
 }
 
 }  // namespace surpass::cli

@@ -14,17 +14,18 @@ namespace surpass::cli {
 
 class RulesOption {
  public:
-  /// --scheme and --boundary.
+  /// --scheme, --boundary and --weights.
   void define(CLI::App& app);
 
   /// The command line wins over what the mesh records (a comment of a control mesh, then
-  /// OpenSubdiv's `t interpolateboundary`), and that over loop and edge-and-corner. What is found
-  /// is noted in report["scheme"] and report["boundary"].
+  /// OpenSubdiv's `t interpolateboundary`), and that over the suggested scheme and edge-and-corner.
+  /// What is found is noted in report["scheme"] and report["boundary"].
   [[nodiscard]] Rules choose(const Mesh& mesh, Session& session) const;
 
  private:
   std::optional<Scheme> scheme_;
   std::optional<Boundary> boundary_;
+  std::optional<Weights> weights_;
 };
 
 /// Makes what the mesh records agree with the rules that it was made by.

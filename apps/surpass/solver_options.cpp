@@ -7,8 +7,10 @@ namespace surpass::cli {
 void add_solver_options(CLI::App& app, InterpolateOptions& options) {
   add_choice(
       app, "--solver", options.solver,
-      {Solver::chebyshev, Solver::richardson, Solver::conjugate_gradient, Solver::gauss_seidel},
-      "How the equation is solved; richardson is the paper's iteration")
+      {Solver::automatic, Solver::chebyshev, Solver::richardson, Solver::conjugate_gradient,
+       Solver::gauss_seidel, Solver::minimal_residual, Solver::bicgstab},
+      "How the equation is solved; auto chooses by what is proven of the mesh, richardson is the "
+      "paper's iteration")
       ->default_str(name_of(options.solver))
       ->group("Solver");
   add_tolerance(app, options.tolerance);

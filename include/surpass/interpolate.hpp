@@ -16,18 +16,23 @@ namespace surpass {
 
 /// How L x = v is solved; L takes control points to limit points.
 enum class Solver {
-  chebyshev,           ///< Chebyshev acceleration on the proven spectrum interval (the default)
-  richardson,          ///< the paper's iteration, x <- x + (v - L x)
+  automatic,   ///< by what is proven of the mesh's operator (the default): chebyshev where a
+               ///< bound is, conjugate_gradient or minimal_residual where only symmetry is,
+               ///< chebyshev or bicgstab with darts and semi-sharp creases
+  chebyshev,   ///< Chebyshev acceleration on the proven spectrum interval
+  richardson,  ///< the paper's iteration, x <- x + (v - L x)
   conjugate_gradient,  ///< in the inner product that makes L symmetric; not with darts or
-                       ///< semi-sharp
+                       ///< semi-sharp creases, nor where eigenvalues may be negative
   gauss_seidel,        ///< in vertex order, on one thread
+  minimal_residual,    ///< MINRES, in the same inner product; eigenvalues may have any sign
+  bicgstab,            ///< for any operator
 };
 [[nodiscard]] const char* name_of(Solver solver);
 [[nodiscard]] Result<Solver> solver_named(std::string_view name);
 
 struct InterpolateOptions {
   Rules rules = {};
-  Solver solver = Solver::chebyshev;
+  Solver solver = Solver::automatic;
   /// Largest distance allowed between a given point and its limit point, relative to the largest
   /// side of the points' bounding box. Never taken below 4 units in the last place of the largest
   /// coordinate. Channels use their own range in the place of the box side.
@@ -42,6 +47,8 @@ struct InterpolateOptions {
   bool full_history = false;
   /// Interpolate only these vertices and leave the others of the control mesh as given; empty: all.
   std::vector<Index> only = {};
+  /// Leave these connected components (numbers as in find_components) of the control mesh as given.
+  std::vector<Index> skip_components = {};
 };
 
 /// The tolerance as applied to these numbers: at least 4 units in the last place of the largest,
@@ -60,6 +67,7 @@ struct Iteration {
 /// first (section 4 of the paper); closed smooth meshes in one.
 struct SolveReport {
   bool converged = false;
+  std::string solver = {};  ///< that solved the surface; several where components needed several
   double box_side = 0;      ///< largest side of the given points' box, the unit of all errors here
   double tolerance = 0;     ///< as applied, after the floor
   unsigned iterations = 0;  ///< evaluations of the limit in the surface block
@@ -95,7 +103,8 @@ struct Prediction {
 class Interpolator {
  public:
   /// Fails where Topology::build does, where the scheme does not take such faces, and if the
-  /// options contradict the mesh (conjugate gradients on a dart, `only` out of range).
+  /// options contradict the mesh (conjugate gradients on a dart, `only` out of range). Whether the
+  /// operator is singular is decided here, numerically, on the components where it can be.
   [[nodiscard]] static Result<Interpolator> create(const Mesh& mesh,
                                                    const InterpolateOptions& options = {},
                                                    const Context& context = {});
@@ -106,7 +115,10 @@ class Interpolator {
   ~Interpolator();
 
   /// Control points for these limit points (#V). Not reaching the tolerance is no error: see
-  /// `report.converged`. Errors: wrong size, not finite, cancelled, or proven singular.
+  /// `report.converged`. Errors: wrong size, not finite, cancelled, or singular: there are
+  /// components that have no interpolating control mesh whatever the solver; the message names
+  /// them. Where the operator is singular but the points are compatible with it, the solution
+  /// nearest to them is taken, and a note says that it is not the only one.
   [[nodiscard]] Result<Solution> solve(std::span<const Point> points,
                                        std::span<const Channel> channels = {},
                                        const Context& context = {}) const;

@@ -34,13 +34,20 @@ struct Rules {
   bool operator==(const Rules&) const = default;
 };
 
-/// "loop", "catmull-clark"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
+/// "loop", "catmull-clark"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging",
+/// "cosine".
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Boundary boundary);
 [[nodiscard]] const char* name_of(Weights weights);
 [[nodiscard]] Result<Scheme> scheme_named(std::string_view name);
 [[nodiscard]] Result<Boundary> boundary_named(std::string_view name);
 [[nodiscard]] Result<Weights> weights_named(std::string_view name);
+
+/// Every scheme, in the order of the enumeration.
+[[nodiscard]] std::vector<Scheme> all_schemes();
+
+/// Loop if every face is a triangle, else Catmull-Clark.
+[[nodiscard]] Scheme suggested_scheme(const Mesh& mesh);
 
 /// Vertices that each face must have; 0 for any number.
 [[nodiscard]] Index face_size(Scheme scheme);
@@ -59,8 +66,9 @@ struct Rules {
                                                        const Context& context = {});
 
 /// The mesh after `levels` refinement steps (0 returns it unchanged). Vertices of the given mesh
-/// come first and in order, then one per edge, then (Catmull-Clark) one per face. Vertex channels are refined like positions, corner
-/// channels linearly; face sets, holes, creases and corners (sharpness less one) are inherited.
+/// come first and in order, then one per edge, then (Catmull-Clark) one per face. Vertex channels
+/// are refined like positions, corner channels linearly; face sets, holes, creases and corners
+/// (sharpness less one) are inherited.
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context = {});
 

@@ -1,15 +1,14 @@
 #include "interpolate/block_solver.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpolate/a_priori.hpp"
+#include "interpolate/choose_solver.hpp"
 
 namespace surpass {
 namespace {
-
-// Lower end of the Chebyshev interval where nothing is proven. Too large a value only slows the
-// iteration down, and the monitor notices if it fails.
-constexpr double kUnprovenLowest = 0.1;
 
 class BlockSolver {
  public:
@@ -23,63 +22,59 @@ class BlockSolver {
               options.max_iterations,
               options.full_history || options.solver == Solver::richardson,
               options.solver != Solver::richardson,
-              stage} {}
+              stage},
+        solver_(options.solver == Solver::automatic ? choose_solver(block) : options.solver) {}
 
   Result<BlockOutcome> solve(std::vector<std::string>& notes) {
     if (system_.block.vertices.empty()) return BlockOutcome{};
     if (options_.direct) return solve_blind();
     Monitor monitor(rule_, system_);
-    Verdict verdict = iterate(monitor);
-    const Block& block = system_.block;
-    if (verdict == Verdict::stalled && !block.proven()) return second_try(monitor, notes);
-    if (verdict == Verdict::exhausted && !block.proven() && block.symmetric) {
-      if (auto ok = require_regular(system_); !ok) return tl::make_unexpected(ok.error());
-    }
-    return outcome(verdict, monitor);
+    const Verdict verdict = run_solver(solver_, system_, monitor, task_.x);
+    return verdict == Verdict::stalled && !system_.block.proven()
+               ? second_try(monitor, notes)
+               : outcome(verdict, monitor, solver_);
   }
 
  private:
-  Verdict iterate(Monitor& monitor) {
-    const Block& block = system_.block;
-    switch (options_.solver) {
-      case Solver::richardson:
-        return semi_iteration(system_, SemiIteration::richardson(), monitor, task_.x);
-      case Solver::conjugate_gradient: return conjugate_gradient(system_, monitor, task_.x);
-      case Solver::gauss_seidel: return gauss_seidel(system_, monitor, task_.x);
-      case Solver::chebyshev: break;
-    }
-    const double lowest = block.proven() ? block.lowest : kUnprovenLowest;
-    return semi_iteration(system_, SemiIteration::chebyshev(lowest), monitor, task_.x);
-  }
-
-  // Nothing is proven of this block and the solver failed. A symmetric one is decided by a
-  // factorisation; for others Chebyshev, the default, gives way to BiCGSTAB.
+  // Nothing is proven of this block and the solver failed. Whoever left the choice to us gets the
+  // best solver for such blocks; a factorisation then decides whether there is a solution at all.
   Result<BlockOutcome> second_try(const Monitor& first, std::vector<std::string>& notes) {
-    Monitor monitor(rule_, system_);
-    if (system_.block.symmetric) {
-      const auto verdict = direct_solve(system_, monitor, task_.x);
-      if (!verdict) return tl::make_unexpected(verdict.error());
-      notes.push_back(fmt::format("{} did not converge here; a sparse factorisation solved it",
-                                  name_of(options_.solver)));
-      return outcome(*verdict, monitor);
+    if (options_.solver == Solver::automatic && solver_ == Solver::chebyshev) {
+      Monitor monitor(rule_, system_);
+      const Verdict better = bicgstab(system_, monitor, task_.x);
+      if (better == Verdict::reached || better == Verdict::cancelled) {
+        notes.emplace_back(
+            "Chebyshev's iteration did not converge on these creases; BiCGSTAB took over");
+        return outcome(better, monitor, Solver::bicgstab);
+      }
     }
-    if (options_.solver != Solver::chebyshev) return outcome(Verdict::stalled, first);
-    notes.emplace_back(
-        "Chebyshev's iteration did not converge on these creases; BiCGSTAB took over");
-    return outcome(bicgstab(system_, monitor, task_.x), monitor);
+    const std::vector<double> best(task_.x.begin(), task_.x.end());
+    StopRule rule = rule_;
+    rule.max_iterations = std::max(kRefinements, rule.max_iterations);
+    Monitor monitor(rule, system_);
+    const auto direct = direct_solve(system_, monitor, task_.x);
+    if (!direct) return tl::make_unexpected(direct.error());
+    if (*direct != Verdict::reached) {
+      std::copy(best.begin(), best.end(), task_.x.begin());
+      return outcome(Verdict::stalled, first, solver_);
+    }
+    notes.push_back(fmt::format("{} did not converge here; a sparse factorisation solved it",
+                                name_of(solver_)));
+    return outcome(*direct, monitor, solver_);
   }
 
   Result<BlockOutcome> solve_blind() {
     const Block& block = system_.block;
-    const SemiIteration start = options_.solver == Solver::richardson
+    const SemiIteration start = solver_ == Solver::richardson
                                     ? SemiIteration::richardson()
                                     : SemiIteration::chebyshev(block.lowest);
     const double tolerance = rule_.tolerance * rule_.unit * system_.scale;
-    const unsigned sweeps = sweeps_needed(system_, options_.solver, task_.x, tolerance);
+    const unsigned sweeps = sweeps_needed(system_, solver_, task_.x, tolerance);
     if (!semi_iteration_blind(system_, start, sweeps, task_.x)) return cancelled();
     std::vector<double> r(system_.values(), 0.0);
     Monitor monitor(rule_, system_);
     BlockOutcome done;
+    done.solver = solver_;
     done.converged = monitor.record(system_.residual(task_.x, r)) == Verdict::reached;
     done.final = monitor.last();
     done.final.iteration = sweeps;
@@ -90,18 +85,21 @@ class BlockSolver {
     return fail(ErrorCode::cancelled, "cancelled while solving");
   }
 
-  static Result<BlockOutcome> outcome(Verdict verdict, const Monitor& monitor) {
+  static Result<BlockOutcome> outcome(Verdict verdict, const Monitor& monitor, Solver solver) {
     if (verdict == Verdict::cancelled) return cancelled();
     const bool reached = verdict == Verdict::reached;
     Iteration final = reached ? monitor.last() : monitor.best();
     final.iteration = monitor.iterations();
-    return BlockOutcome{reached, final, monitor.history()};
+    return BlockOutcome{reached, final, monitor.history(), solver};
   }
+
+  static constexpr unsigned kRefinements = 10;  // of a factorisation's solution
 
   const InterpolateOptions& options_;
   const Task& task_;
   LinearSystem system_;
   StopRule rule_;
+  Solver solver_;
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ struct BlockOutcome {
   bool converged = true;
   Iteration final = {};
   std::vector<Iteration> history = {};
+  Solver solver = Solver::automatic;  ///< that was used; automatic if there was nothing to solve
 };
 
 /// `notes` receives sentences for the user. Errors: cancelled, singular.

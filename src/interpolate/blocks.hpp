@@ -13,21 +13,32 @@ namespace surpass {
 struct Block {
   std::vector<Index> vertices;  ///< ascending
   bool symmetric = true;        ///< diag(symmetric_weight) L is symmetric on the block
-  double lowest = 1;       ///< proven lower bound of its eigenvalues, or 0 if nothing is proven
-  Index obstacle = kNone;  ///< a vertex for which nothing is proven, if there is one
+  /// Lower bound of the eigenvalues where the block is symmetric; else the smallest bound of those
+  /// rows that alone would be. 0 where nothing but the sign is proven, negative where not even
+  /// that.
+  double lowest = 1;
+  bool suspect = false;    ///< L may be singular on some component of the block
+  Index obstacle = kNone;  ///< a vertex for which no bound is proven, if there is one
 
   [[nodiscard]] bool proven() const { return symmetric && lowest > 0; }
 };
 
 /// Curves (boundaries and creases) do not look at the surface, so they can be solved first: the
-/// paper's section 4, for every rule. Vertices that are their own limit are in neither block.
+/// paper's section 4, for every rule. Vertices that are their own limit are in no block.
 struct Blocks {
   Block curve;
-  Block surface;
+  /// Components of the surface that need the same solver are solved together: all of them, on most
+  /// meshes.
+  std::vector<Block> surface;
   std::size_t interpolated = 0;  ///< vertices that are to be met, fixed ones included
 };
 
-/// `only` lists the vertices to interpolate, or is empty for all.
-Result<Blocks> find_blocks(const LimitOperator& op, const std::vector<Index>& only);
+/// `listed` marks the vertices to interpolate (#V).
+[[nodiscard]] Blocks find_blocks(const LimitOperator& op, const std::vector<unsigned char>& listed);
+
+/// The connected parts of a block, each ascending: unknowns that see each other, directly or
+/// through others.
+[[nodiscard]] std::vector<std::vector<Index>> connected_parts(const SparseRows& rows,
+                                                              const std::vector<Index>& vertices);
 
 }  // namespace surpass

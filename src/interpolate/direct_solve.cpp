@@ -1,8 +1,8 @@
-// For symmetric blocks without a proven bound: decide by a factorisation whether there is a
-// solution.
+// For blocks without a proven bound: decide by a factorisation whether there is a solution.
 #include <algorithm>
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 #include <fmt/format.h>
 
 #include "interpolate/solvers.hpp"
@@ -11,10 +11,14 @@ namespace surpass {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
-using Factors = Eigen::SimplicialLDLT<Matrix>;
-using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Values = Eigen::MatrixXd;
 
-// diag(d) L on the block.
+// What a row of the block is multiplied with: symmetry where there is some.
+double row_weight(const LinearSystem& system, Index v) {
+  return system.block.symmetric ? system.op.symmetric_weight[v] : 1.0;
+}
+
+// L on the block, times the row weights.
 Matrix block_matrix(const LinearSystem& system) {
   const auto size = static_cast<Eigen::Index>(system.block.vertices.size());
   std::vector<Index> number(system.op.rows.row_count(), kNone);
@@ -28,7 +32,7 @@ Matrix block_matrix(const LinearSystem& system) {
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (number[columns[k]] == kNone) continue;
       entries.emplace_back(static_cast<int>(number[v]), static_cast<int>(number[columns[k]]),
-                           system.op.symmetric_weight[v] * weights[k]);
+                           row_weight(system, v) * weights[k]);
     }
   }
   Matrix matrix(size, size);
@@ -41,6 +45,7 @@ struct Smallest {
   double eigenvalue = 0;
   Eigen::Index where = 0;  ///< largest entry of its vector
 };
+template <class Factors>
 Smallest smallest_eigenvalue(const Factors& factors, Eigen::Index size) {
   Eigen::VectorXd v(size);
   for (Eigen::Index i = 0; i < size; ++i) v[i] = std::sin(1.0 + static_cast<double>(i));
@@ -57,6 +62,7 @@ Smallest smallest_eigenvalue(const Factors& factors, Eigen::Index size) {
   return smallest;
 }
 
+template <class Factors>
 Result<void> require_regular(const LinearSystem& system, const Factors& factors) {
   const auto size = static_cast<Eigen::Index>(system.block.vertices.size());
   const bool factored = factors.info() == Eigen::Success;
@@ -66,19 +72,14 @@ Result<void> require_regular(const LinearSystem& system, const Factors& factors)
   const Index v = system.block.vertices[static_cast<std::size_t>(smallest.where)];
   return fail(ErrorCode::singular,
               "no control mesh interpolates these points in general: the limit operator is "
-              "singular around this vertex; choose another boundary rule",
+              "singular around this vertex; choose another scheme or boundary rule",
               {.vertex = v});
 }
 
-}  // namespace
-
-Result<void> require_regular(const LinearSystem& system) {
-  return require_regular(system, Factors(block_matrix(system)));
-}
-
-Result<Verdict> direct_solve(const LinearSystem& system, Monitor& monitor, std::span<double> x) {
+template <class Factors>
+Result<Verdict> solve_with(const Factors& factors, const LinearSystem& system, Monitor& monitor,
+                           std::span<double> x) {
   const auto size = static_cast<Eigen::Index>(system.block.vertices.size());
-  const Factors factors(block_matrix(system));
   if (auto ok = require_regular(system, factors); !ok) return tl::make_unexpected(ok.error());
   system.for_values([&](std::size_t at, std::size_t) { x[at] = system.target[at]; });
   std::vector<double> r(system.values(), 0.0);
@@ -90,8 +91,7 @@ Result<Verdict> direct_solve(const LinearSystem& system, Monitor& monitor, std::
     for (Eigen::Index i = 0; i < size; ++i) {
       const Index v = system.block.vertices[static_cast<std::size_t>(i)];
       for (Eigen::Index c = 0; c < width; ++c) {
-        rhs(i, c) =
-            system.op.symmetric_weight[v] * r[v * system.width + static_cast<std::size_t>(c)];
+        rhs(i, c) = row_weight(system, v) * r[v * system.width + static_cast<std::size_t>(c)];
       }
     }
     const Values correction = factors.solve(rhs);
@@ -102,6 +102,18 @@ Result<Verdict> direct_solve(const LinearSystem& system, Monitor& monitor, std::
       }
     }
   }
+}
+
+}  // namespace
+
+Result<Verdict> direct_solve(const LinearSystem& system, Monitor& monitor, std::span<double> x) {
+  const Matrix matrix = block_matrix(system);
+  if (system.block.symmetric) {
+    return solve_with(Eigen::SimplicialLDLT<Matrix>(matrix), system, monitor, x);
+  }
+  Eigen::SparseLU<Matrix> factors;
+  factors.compute(matrix);
+  return solve_with(factors, system, monitor, x);
 }
 
 }  // namespace surpass

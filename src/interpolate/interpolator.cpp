@@ -10,62 +10,38 @@
 #include <fmt/format.h>
 
 #include "interpolate/a_priori.hpp"
-#include "interpolate/block_solver.hpp"
+#include "interpolate/stages.hpp"
 
 namespace surpass {
 
 const char* name_of(Solver solver) {
   switch (solver) {
+    case Solver::automatic: return "auto";
     case Solver::chebyshev: return "chebyshev";
     case Solver::richardson: return "richardson";
     case Solver::conjugate_gradient: return "conjugate-gradient";
     case Solver::gauss_seidel: return "gauss-seidel";
+    case Solver::minimal_residual: return "minres";
+    case Solver::bicgstab: return "bicgstab";
   }
   return "unknown";
 }
 
 Result<Solver> solver_named(std::string_view name) {
   for (const Solver s :
-       {Solver::chebyshev, Solver::richardson, Solver::conjugate_gradient, Solver::gauss_seidel}) {
+       {Solver::automatic, Solver::chebyshev, Solver::richardson, Solver::conjugate_gradient,
+        Solver::gauss_seidel, Solver::minimal_residual, Solver::bicgstab}) {
     if (name == name_of(s)) return s;
   }
   return fail(ErrorCode::invalid_argument,
-              fmt::format("there is no solver \"{}\"; there are chebyshev, richardson, "
-                          "conjugate-gradient and gauss-seidel",
+              fmt::format("there is no solver \"{}\"; there are auto, chebyshev, richardson, "
+                          "conjugate-gradient, gauss-seidel, minres and bicgstab",
                           name));
 }
 
-struct Interpolator::Impl {
-  InterpolateOptions options;
-  LimitOperator op;
-  Blocks blocks;
-};
+struct Interpolator::Impl : Prepared {};
 
 namespace {
-
-Iteration combine(const BlockOutcome& curve, const BlockOutcome& surface, const Blocks& blocks) {
-  const auto count = static_cast<double>(std::max<std::size_t>(1, blocks.interpolated));
-  const double sum = curve.final.mean * static_cast<double>(blocks.curve.vertices.size()) +
-                     surface.final.mean * static_cast<double>(blocks.surface.vertices.size());
-  return {surface.final.iteration, std::max(curve.final.max, surface.final.max), sum / count};
-}
-
-// Errors of the targets themselves, taken as control points.
-Iteration initial_error(const LimitOperator& op, const Blocks& blocks, const Task& task,
-                        const Context& context) {
-  BlockOutcome outcomes[2];
-  std::vector<double> r(task.target.size(), 0.0);
-  const Block* const both[2] = {&blocks.curve, &blocks.surface};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const LinearSystem system{
-        op, *both[i], task.width, task.target, power_of_two_scale(task.unit), context};
-    const ErrorNorms norms = system.residual(task.target, r);
-    const auto count = static_cast<double>(std::max<std::size_t>(1, both[i]->vertices.size()));
-    const double unit = task.unit * system.scale;
-    outcomes[i].final = {0, norms.max / unit, norms.sum / count / unit};
-  }
-  return combine(outcomes[0], outcomes[1], blocks);
-}
 
 Result<void> require_finite(std::span<const double> values, std::size_t width, const char* what) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -93,34 +69,21 @@ double range_of(std::span<const double> values) {
   return range > 0 && std::isfinite(range) ? range : 1.0;
 }
 
-struct Solved {
-  BlockOutcome curve;
-  BlockOutcome surface;
-};
-
-Result<Solved> solve_task(const Interpolator::Impl& impl, const Task& task, const Context& context,
-                          std::vector<std::string>& notes) {
-  Solved solved;
-  auto curve =
-      solve_block(impl.options, impl.op, impl.blocks.curve, task, "curves", context, notes);
-  if (!curve) return tl::make_unexpected(curve.error());
-  solved.curve = std::move(*curve);
-  auto surface =
-      solve_block(impl.options, impl.op, impl.blocks.surface, task, "surface", context, notes);
-  if (!surface) return tl::make_unexpected(surface.error());
-  solved.surface = std::move(*surface);
-  return solved;
-}
-
-std::string no_bound(const Block& block) {
-  return block.symmetric ? "no bound is proven for the boundary rule `interior` on open meshes"
-                         : "no bound is proven for darts and semi-sharp creases";
+std::vector<const Block*> all_blocks(const Blocks& blocks) {
+  std::vector<const Block*> all = {&blocks.curve};
+  for (const Block& block : blocks.surface) all.push_back(&block);
+  return all;
 }
 
 Result<void> require_proven(const Blocks& blocks) {
-  for (const Block* block : {&blocks.curve, &blocks.surface}) {
+  for (const Block* block : all_blocks(blocks)) {
     if (block->vertices.empty() || block->proven()) continue;
-    return fail(ErrorCode::unsuitable_for_scheme, no_bound(*block), {.vertex = block->obstacle});
+    return fail(ErrorCode::unsuitable_for_scheme,
+                block->symmetric
+                    ? "no bound of the spectrum is proven around this vertex: its valence, or the "
+                      "boundary rule, lets eigenvalues come arbitrarily close to zero"
+                    : "no bound of the spectrum is proven for darts and semi-sharp creases",
+                {.vertex = block->obstacle});
   }
   return {};
 }
@@ -132,8 +95,8 @@ Result<void> check_options(const InterpolateOptions& options, const Blocks& bloc
   if (options.max_iterations == 0) {
     return fail(ErrorCode::invalid_argument, "at least one evaluation must be allowed");
   }
-  const bool has_bound =
-      options.solver == Solver::richardson || options.solver == Solver::chebyshev;
+  const bool has_bound = options.solver == Solver::richardson ||
+                         options.solver == Solver::chebyshev || options.solver == Solver::automatic;
   if (options.direct && !has_bound) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("the number of sweeps cannot be told in advance for {}; use richardson "
@@ -141,16 +104,52 @@ Result<void> check_options(const InterpolateOptions& options, const Blocks& bloc
                             name_of(options.solver)));
   }
   if (options.direct) return require_proven(blocks);
-  if (options.solver == Solver::conjugate_gradient) {
-    for (const Block* block : {&blocks.curve, &blocks.surface}) {
-      if (block->vertices.empty() || block->symmetric) continue;
+  const bool needs_symmetry =
+      options.solver == Solver::conjugate_gradient || options.solver == Solver::minimal_residual;
+  for (const Block* block : all_blocks(blocks)) {
+    if (block->vertices.empty()) continue;
+    if (needs_symmetry && !block->symmetric) {
+      return fail(
+          ErrorCode::unsuitable_for_scheme,
+          fmt::format("the solver {} needs a symmetric operator, which darts and semi-sharp "
+                      "creases spoil; use chebyshev or bicgstab",
+                      name_of(options.solver)),
+          {.vertex = block->obstacle});
+    }
+    if (options.solver == Solver::conjugate_gradient && block->lowest < 0) {
       return fail(ErrorCode::unsuitable_for_scheme,
-                  "conjugate gradients need a symmetric operator, which darts and semi-sharp "
-                  "creases spoil; use chebyshev",
+                  "conjugate gradients need an operator without negative eigenvalues, and this "
+                  "vertex may bring one in; use minres",
                   {.vertex = block->obstacle});
     }
   }
   return {};
+}
+
+// Marks what is to be interpolated: #V.
+Result<std::vector<unsigned char>> listed_vertices(const InterpolateOptions& options, Index count,
+                                                   const Components& components) {
+  std::vector<unsigned char> listed(count, options.only.empty() ? 1 : 0);
+  for (const Index v : options.only) {
+    if (v >= count) {
+      return fail(
+          ErrorCode::invalid_argument,
+          fmt::format("the list of vertices to interpolate names {}, but there are {}", v, count),
+          {.vertex = v});
+    }
+    listed[v] = 1;
+  }
+  for (const Index skipped : options.skip_components) {
+    if (skipped < components.count) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("component {} is to be skipped, but there are {}, numbered from 0",
+                            skipped, components.count));
+  }
+  for (Index v = 0; v < components.of_vertex.size(); ++v) {
+    const auto& skip = options.skip_components;
+    if (std::find(skip.begin(), skip.end(), components.of_vertex[v]) != skip.end()) listed[v] = 0;
+  }
+  return listed;
 }
 
 }  // namespace
@@ -167,11 +166,18 @@ Result<Interpolator> Interpolator::create(const Mesh& mesh, const InterpolateOpt
   if (!topology) return tl::make_unexpected(topology.error());
   auto op = limit_operator(mesh, *topology, options.rules, context);
   if (!op) return tl::make_unexpected(op.error());
-  auto blocks = find_blocks(*op, options.only);
-  if (!blocks) return tl::make_unexpected(blocks.error());
-  if (auto ok = check_options(options, *blocks); !ok) return tl::make_unexpected(ok.error());
-  return Interpolator(
-      std::make_unique<const Impl>(Impl{options, std::move(*op), std::move(*blocks)}));
+  const auto listed =
+      listed_vertices(options, topology->vertex_count(),
+                      options.skip_components.empty() ? Components{} : find_components(*topology));
+  if (!listed) return tl::make_unexpected(listed.error());
+  Blocks blocks = find_blocks(*op, *listed);
+  if (auto ok = check_options(options, blocks); !ok) return tl::make_unexpected(ok.error());
+  std::vector<SingularPart> singular = find_singular_parts(*op, blocks, context);
+  if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
+  Components components = singular.empty() ? Components{} : find_components(*topology);
+  Prepared prepared{options, std::move(*op), std::move(blocks), std::move(singular),
+                    std::move(components)};
+  return Interpolator(std::make_unique<const Impl>(Impl{std::move(prepared)}));
 }
 
 Result<Solution> Interpolator::solve(std::span<const Point> points,
@@ -195,13 +201,14 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   report.tolerance = floored_tolerance(impl_->options.tolerance, target, *unit);
   const Task task{target, 3, *unit, report.tolerance, flat(std::span(solution.points))};
   report.initial = initial_error(impl_->op, impl_->blocks, task, context);
-  auto solved = solve_task(*impl_, task, context, report.notes);
+  auto solved = solve_in_stages(*impl_, task, context, report.notes);
   if (!solved) return tl::make_unexpected(solved.error());
-  report.converged = solved->curve.converged && solved->surface.converged;
-  report.iterations = solved->surface.final.iteration;
+  report.converged = solved->converged();
+  report.solver = solvers_used(*solved);
   report.boundary_iterations = solved->curve.final.iteration;
-  report.final = combine(solved->curve, solved->surface, impl_->blocks);
-  report.history = std::move(solved->surface.history);
+  report.final = combine(*solved, impl_->blocks);
+  report.iterations = report.final.iteration;
+  if (const BlockOutcome* longest = solved->longest()) report.history = longest->history;
   report.boundary_history = std::move(solved->curve.history);
 
   for (const Channel& channel : channels) {
@@ -217,9 +224,9 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
     const Task carried{channel.values, channel.width(), range,
                        floored_tolerance(impl_->options.tolerance, channel.values, range),
                        result.values};
-    const auto done = solve_task(*impl_, carried, context, report.notes);
+    const auto done = solve_in_stages(*impl_, carried, context, report.notes);
     if (!done) return tl::make_unexpected(done.error());
-    if (done->curve.converged && done->surface.converged) continue;
+    if (done->converged()) continue;
     report.converged = false;
     report.notes.push_back(fmt::format("channel \"{}\" did not reach the tolerance", channel.name));
   }
@@ -244,7 +251,9 @@ Result<Prediction> Interpolator::predict(std::span<const Point> points) const {
     return sweeps_needed(system, options.solver, task.x, tolerance * *unit * system.scale);
   };
   Prediction prediction;
-  prediction.lowest_eigenvalue = impl_->blocks.surface.lowest;
+  const Block nothing;  // where all vertices are their own limits
+  const Block& surface = impl_->blocks.surface.empty() ? nothing : impl_->blocks.surface.front();
+  prediction.lowest_eigenvalue = surface.lowest;
   prediction.boundary_lowest_eigenvalue = impl_->blocks.curve.lowest;
   prediction.boundary_sweeps = sweeps(impl_->blocks.curve);
   // The surface starts when the curves are done.
@@ -252,7 +261,7 @@ Result<Prediction> Interpolator::predict(std::span<const Point> points) const {
   const auto curve =
       solve_block(options, impl_->op, impl_->blocks.curve, task, "curves", silent, notes);
   if (!curve) return tl::make_unexpected(curve.error());
-  prediction.sweeps = sweeps(impl_->blocks.surface);
+  prediction.sweeps = sweeps(surface);
   return prediction;
 }
 

@@ -41,15 +41,15 @@ Verdict conjugate_gradient(const LinearSystem& system, Monitor& monitor, std::sp
 /// Gauss-Seidel in vertex order on the caller's thread. One evaluation a sweep.
 Verdict gauss_seidel(const LinearSystem& system, Monitor& monitor, std::span<double> x);
 
+/// MINRES in the inner product of op.symmetric_weight, for symmetric blocks whose eigenvalues may
+/// have any sign. One evaluation an iteration.
+Verdict minimal_residual(const LinearSystem& system, Monitor& monitor, std::span<double> x);
+
 /// BiCGSTAB, for operators without symmetry. Two evaluations an iteration.
 Verdict bicgstab(const LinearSystem& system, Monitor& monitor, std::span<double> x);
 
-/// Error `singular`, naming a vertex, where a symmetric block has an eigenvalue that is zero to
-/// rounding.
-Result<void> require_regular(const LinearSystem& system);
-
-/// Sparse LDL' factorisation of a symmetric block for which no bound is proven, then refinement.
-/// Errors as require_regular.
+/// Sparse factorisation (LDL' of a symmetric block, else LU), then iterative refinement. Error
+/// `singular`, naming a vertex, where an eigenvalue is zero to rounding.
 Result<Verdict> direct_solve(const LinearSystem& system, Monitor& monitor, std::span<double> x);
 
 }  // namespace surpass

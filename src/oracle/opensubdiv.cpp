@@ -1,12 +1,14 @@
 // Limit positions by OpenSubdiv. Most vertices take its limit mask after one uniform refinement of
-// the whole mesh. Where sharpness still fades, and at darts, where its mask is not the limit of its
-// own refined points, the one-ring is cut out and refined by OpenSubdiv alone until nothing moves:
-// the one-ring of a vertex determines the one-ring of its child.
+// the whole mesh. Where sharpness still fades, and where its mask is not the limit of its own
+// refined points (at darts, and at interior vertices of valence 2 on Catmull-Clark surfaces), the
+// one-ring is cut out and refined by OpenSubdiv alone until nothing moves: the one-ring of a vertex
+// determines the one-ring of its child.
 #include <surpass/oracle.hpp>
 
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <opensubdiv/far/primvarRefiner.h>
@@ -41,9 +43,17 @@ struct Shape {
 
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
-Refiner make_refiner(const Shape& shape, Boundary boundary) {
+std::optional<Sdc::SchemeType> type_of(Scheme scheme) {
+  switch (scheme) {
+    case Scheme::loop: return Sdc::SCHEME_LOOP;
+    case Scheme::catmull_clark: return Sdc::SCHEME_CATMARK;
+  }
+  return std::nullopt;
+}
+
+Refiner make_refiner(const Shape& shape, const Rules& rules) {
   Sdc::Options options;
-  options.SetVtxBoundaryInterpolation(boundary == Boundary::edge_only
+  options.SetVtxBoundaryInterpolation(rules.boundary == Boundary::edge_only
                                           ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
                                           : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
   Far::TopologyDescriptor d;
@@ -58,7 +68,7 @@ Refiner make_refiner(const Shape& shape, Boundary boundary) {
   d.cornerVertexIndices = shape.corner_vertices.data();
   d.cornerWeights = shape.corner_sharpness.data();
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-  Refiner refiner(Factory::Create(d, Factory::Options(Sdc::SCHEME_LOOP, options)));
+  Refiner refiner(Factory::Create(d, Factory::Options(*type_of(rules.scheme), options)));
   if (refiner) {
     Far::TopologyRefiner::UniformOptions once(1);
     once.fullTopologyInLastLevel = true;
@@ -129,17 +139,22 @@ bool is_semi_sharp(const Level& level, int v) {
                      [&](int e) { return fades(level.GetEdgeSharpness(e)); });
 }
 
-bool is_dart(const Level& level, int v) { return level.GetVertexRule(v) == Sdc::Crease::RULE_DART; }
+bool has_wrong_mask(const Level& level, int v, Scheme scheme) {
+  const Sdc::Crease::Rule rule = level.GetVertexRule(v);
+  if (rule == Sdc::Crease::RULE_DART) return true;
+  return scheme == Scheme::catmull_clark && rule == Sdc::Crease::RULE_SMOOTH &&
+         level.GetVertexEdges(v).size() == 2;
+}
 
 // Limit of vertex 0 of a cut ring.
-Point limit_of_ring(Shape ring, Boundary boundary) {
+Point limit_of_ring(Shape ring, const Rules& rules) {
   constexpr int kDeep = 120;  // the slowest mode of a ring fades by 5/8 a step: 1e-24
   for (int step = 0; step < kDeep; ++step) {
-    const Refiner refiner = make_refiner(ring, boundary);
+    const Refiner refiner = make_refiner(ring, rules);
     const std::vector<Value> points = refined_points(*refiner, ring);
     const int child = refiner->GetLevel(0).GetVertexChildVertex(0);
     const Level& level = refiner->GetLevel(1);
-    if (!is_semi_sharp(level, child) && !is_dart(level, child)) {
+    if (!is_semi_sharp(level, child) && !has_wrong_mask(level, child, rules.scheme)) {
       std::vector<Value> limits(points.size());
       Far::PrimvarRefinerReal<double>(*refiner).Limit(points, limits);
       return limits[static_cast<std::size_t>(child)].p;
@@ -156,19 +171,28 @@ std::string opensubdiv_version() {
                      OPENSUBDIV_VERSION_PATCH);
 }
 
-Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const Rules& rules,
-                                                      std::vector<std::string>* notes) {
+Result<void> opensubdiv_knows(const Rules& rules) {
+  if (!type_of(rules.scheme)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("OpenSubdiv has no {} surfaces", name_of(rules.scheme)));
+  }
   if (rules.boundary == Boundary::hoppe || rules.boundary == Boundary::interior) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("OpenSubdiv has no boundary rule `{}`; it can check edge-only and "
+                fmt::format("OpenSubdiv has no boundary rule `{}`; it has edge-only and "
                             "edge-and-corner",
                             name_of(rules.boundary)));
   }
-  if (!all_triangles(control)) {
+  return {};
+}
+
+Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const Rules& rules,
+                                                      std::vector<std::string>* notes) {
+  if (auto ok = opensubdiv_knows(rules); !ok) return tl::make_unexpected(ok.error());
+  if (rules.scheme == Scheme::loop && !all_triangles(control)) {
     return fail(ErrorCode::unsuitable_for_scheme, "Loop surfaces are made of triangles");
   }
   const Shape shape = shape_of(control);
-  const Refiner refiner = make_refiner(shape, rules.boundary);
+  const Refiner refiner = make_refiner(shape, rules);
   if (!refiner) {
     return fail(ErrorCode::unsuitable_for_scheme, "OpenSubdiv refuses the topology of this mesh");
   }
@@ -182,8 +206,8 @@ Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const
   for (int v = 0; v < base.GetNumVertices(); ++v) {
     const auto i = static_cast<std::size_t>(v);
     if (base.GetVertexFaces(v).empty()) continue;  // isolated: its own limit
-    if (is_semi_sharp(base, v) || is_dart(base, v)) {
-      positions[i] = limit_of_ring(cut_ring(base, shape.points, v), rules.boundary);
+    if (is_semi_sharp(base, v) || has_wrong_mask(base, v, rules.scheme)) {
+      positions[i] = limit_of_ring(cut_ring(base, shape.points, v), rules);
       ++deep;
     } else {
       positions[i] = limits[static_cast<std::size_t>(base.GetVertexChildVertex(v))].p;
@@ -191,7 +215,9 @@ Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const
   }
   if (notes != nullptr && deep > 0) {
     notes->push_back(fmt::format(
-        "{} vertices at darts and semi-sharp creases were evaluated by deep refinement", deep));
+        "{} vertices where OpenSubdiv has no exact mask (darts, semi-sharp creases, interior "
+        "valence 2) were evaluated by its deep refinement",
+        deep));
   }
   return positions;
 }

@@ -22,7 +22,9 @@ struct LimitOperator {
   std::vector<double> symmetric_weight;
 
   /// #V lower bounds: a principal submatrix of rows of one kind, all with positive weight, has its
-  /// eigenvalues in [smallest of these, 1]. 0 where nothing is proven.
+  /// eigenvalues in [smallest of these, 1]; it is singular, if that is 0, only where no row of a
+  /// connected part has a positive bound. Negative bounds need not be sharp. 0 where there is no
+  /// weight.
   std::vector<double> lowest_eigenvalue;
 
   /// #V: 1 where the row takes part in curves (boundaries, creases), 0 on the smooth surface.

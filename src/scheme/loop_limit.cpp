@@ -38,7 +38,7 @@ RowFacts curve_facts(const LoopRing& ring, const std::vector<double>& mask) {
 RowFacts facts_of(const LoopRing& ring, const std::vector<double>& mask) {
   if (mask[0] == 1) return {1, 1, true};
   if (ring.boundary == Boundary::interior && ring.open) {
-    return {static_cast<double>(ring.size()) / (1 - mask[0]), 0, false};
+    return {static_cast<double>(ring.size()) / (1 - mask[0]), -1, false};
   }
   const VertexRule rule = ring.rule();
   if (ring.is_semi_sharp()) return {0, 0, rule != VertexRule::dart};

@@ -71,6 +71,12 @@ Result<Weights> weights_named(std::string_view name) {
               fmt::format("there are no weights \"{}\"; there are averaging and cosine", name));
 }
 
+std::vector<Scheme> all_schemes() { return {kSchemes.begin(), kSchemes.end()}; }
+
+Scheme suggested_scheme(const Mesh& mesh) {
+  return all_triangles(mesh) ? Scheme::loop : Scheme::catmull_clark;
+}
+
 Index face_size(Scheme scheme) { return scheme_of(scheme).face_size(); }
 
 Result<void> require_suitable(const SubdivisionScheme& scheme, const Topology& topology,

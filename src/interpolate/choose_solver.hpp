@@ -1,0 +1,15 @@
+// Which solver fits a block, and how each is started.
+#pragma once
+
+#include "interpolate/solvers.hpp"
+
+namespace surpass {
+
+/// The solver that what is known of the block's operator calls for.
+[[nodiscard]] Solver choose_solver(const Block& block);
+
+/// Runs a solver other than `automatic`.
+Verdict run_solver(Solver solver, const LinearSystem& system, Monitor& monitor,
+                   std::span<double> x);
+
+}  // namespace surpass
