@@ -9,7 +9,7 @@
 
 namespace surpass {
 
-enum class Scheme { loop };
+enum class Scheme { loop, doo_sabin };
 
 /// What happens at the boundary of an open mesh. Names and meaning of the first two are
 /// OpenSubdiv's.

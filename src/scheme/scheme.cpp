@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "scheme/doo_sabin.hpp"
 #include "scheme/loop.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
@@ -13,7 +14,7 @@ namespace surpass {
 
 namespace {
 
-constexpr std::array kSchemes = {Scheme::loop};
+constexpr std::array kSchemes = {Scheme::loop, Scheme::doo_sabin};
 constexpr std::array kBoundaries = {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe,
                                     Boundary::interior};
 
@@ -22,6 +23,7 @@ constexpr std::array kBoundaries = {Boundary::edge_only, Boundary::edge_and_corn
 const SubdivisionScheme& scheme_of(Scheme scheme) {
   switch (scheme) {
     case Scheme::loop: break;
+    case Scheme::doo_sabin: return doo_sabin::scheme();
   }
   return loop::scheme();
 }
