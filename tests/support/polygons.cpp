@@ -38,7 +38,7 @@ Mesh joined_at_vertex(const Mesh& a, Index at_a, const Mesh& b, Index at_b) {
   for (Index v = 0; v < b.vertex_count(); ++v) {
     number[v] = v == at_b ? at_a : out.vertex_count();
     Point p = b.points[v];
-    for (int c = 0; c < 3; ++c) p[c] += a.points[at_a][c] - b.points[at_b][c];
+    for (std::size_t c = 0; c < 3; ++c) p[c] += a.points[at_a][c] - b.points[at_b][c];
     if (v != at_b) out.points.push_back(p);
   }
   for (Index f = 0; f < b.face_count(); ++f) {
