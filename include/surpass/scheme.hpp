@@ -9,7 +9,7 @@
 
 namespace surpass {
 
-enum class Scheme { loop, catmull_clark };
+enum class Scheme { loop, catmull_clark, doo_sabin };
 
 /// What happens at the boundary of an open mesh. Names and meaning of the first two are
 /// OpenSubdiv's.

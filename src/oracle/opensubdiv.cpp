@@ -47,6 +47,7 @@ std::optional<Sdc::SchemeType> type_of(Scheme scheme) {
   switch (scheme) {
     case Scheme::loop: return Sdc::SCHEME_LOOP;
     case Scheme::catmull_clark: return Sdc::SCHEME_CATMARK;
+    case Scheme::doo_sabin: break;
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "scheme/catmull_clark.hpp"
+#include "scheme/doo_sabin.hpp"
 #include "scheme/loop.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
@@ -14,7 +15,7 @@ namespace surpass {
 
 namespace {
 
-constexpr std::array kSchemes = {Scheme::loop, Scheme::catmull_clark};
+constexpr std::array kSchemes = {Scheme::loop, Scheme::catmull_clark, Scheme::doo_sabin};
 constexpr std::array kBoundaries = {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe,
                                     Boundary::interior};
 
@@ -24,6 +25,7 @@ const SubdivisionScheme& scheme_of(Scheme scheme) {
   switch (scheme) {
     case Scheme::loop: break;
     case Scheme::catmull_clark: return catmull_clark::scheme();
+    case Scheme::doo_sabin: return doo_sabin::scheme();
   }
   return loop::scheme();
 }

@@ -24,12 +24,23 @@ std::vector<Point> points_of(const nlohmann::json& rows) {
   return points;
 }
 
-std::vector<Case> loop_cases() {
+Rules rules_of(const std::string& scheme, const std::string& boundary) {
+  Rules rules;
+  rules.scheme = scheme == "loop" ? Scheme::loop : Scheme::doo_sabin;
+  rules.weights = scheme == "doosabin-cos" ? Weights::cosine : Weights::averaging;
+  rules.boundary = boundary == "hoppe"    ? Boundary::hoppe
+                   : boundary == "corner" ? Boundary::edge_and_corner
+                                          : Boundary::edge_only;
+  return rules;
+}
+
+// Cases of one scheme as the file names it.
+std::vector<Case> cases_of(const std::string& scheme) {
   std::ifstream file(SURPASS_GOLDEN_DIR "/progressive.json");
   const auto json = nlohmann::json::parse(file);
   std::vector<Case> cases;
   for (const auto& entry : json.contains("cases") ? json["cases"] : json) {
-    if (entry["scheme"] != "loop") continue;
+    if (entry["scheme"] != scheme) continue;
     Case c;
     c.name = entry["name"].get<std::string>() + " " + entry["boundary"].get<std::string>();
     c.mesh.points = points_of(entry["vertices"]);
@@ -40,10 +51,7 @@ std::vector<Case> loop_cases() {
     for (const auto& v : entry["sharp_vertices"]) {
       c.mesh.corners.push_back({v[0].get<Index>(), v[1].get<float>()});
     }
-    const auto boundary = entry["boundary"].get<std::string>();
-    c.rules.boundary = boundary == "hoppe"    ? Boundary::hoppe
-                       : boundary == "corner" ? Boundary::edge_and_corner
-                                              : Boundary::edge_only;
+    c.rules = rules_of(scheme, entry["boundary"].get<std::string>());
     c.limit = points_of(entry["limit"]);
     c.control = points_of(entry["control"]);
     cases.push_back(std::move(c));
@@ -70,16 +78,26 @@ TEST_P(ProgressiveReference, ControlMeshesMatch) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Loop, ProgressiveReference, testing::ValuesIn(loop_cases()),
-                         [](const auto& which) {
-                           std::string name = which.param.name;
-                           for (char& c : name) {
-                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                           }
-                           return name;
-                         });
+std::string test_name(const testing::TestParamInfo<Case>& which) {
+  std::string name = which.param.name;
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+}
 
-TEST(ProgressiveReference, HasEveryLoopCase) { EXPECT_EQ(loop_cases().size(), 13U); }
+INSTANTIATE_TEST_SUITE_P(Loop, ProgressiveReference, testing::ValuesIn(cases_of("loop")),
+                         test_name);
+INSTANTIATE_TEST_SUITE_P(DooSabinAveraging, ProgressiveReference,
+                         testing::ValuesIn(cases_of("doosabin-cc78")), test_name);
+INSTANTIATE_TEST_SUITE_P(DooSabinCosine, ProgressiveReference,
+                         testing::ValuesIn(cases_of("doosabin-cos")), test_name);
+
+TEST(ProgressiveReference, HasEveryCase) {
+  EXPECT_EQ(cases_of("loop").size(), 13U);
+  EXPECT_EQ(cases_of("doosabin-cc78").size(), 7U);
+  EXPECT_EQ(cases_of("doosabin-cos").size(), 7U);
+}
 
 }  // namespace
 }  // namespace surpass

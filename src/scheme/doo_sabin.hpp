@@ -1,0 +1,40 @@
+// Doo-Sabin subdivision of polygon meshes: every corner of a face makes a point, every face, edge
+// and vertex a new face.
+//
+// Doo, Sabin, Behaviour of recursive division surfaces near extraordinary points, 1978 (the scheme;
+// weights `cosine`); Catmull, Clark, Recursively generated B-spline surfaces on arbitrary
+// topological meshes, 1978 (weights `averaging`, those of the progressive-interpolation paper).
+// Boundaries, creases, corners, darts, tips and doublets are ours; docs/methods/doo-sabin.md says
+// which rule is whose. The words used for them in these files:
+//
+//   corner point   new vertex of a face's corner (half-edge) h; it has the number h
+//   curve edge     boundary edge or infinitely sharp edge; it adds two curve points at a quarter
+//                  of its length, so that curves are quadratic B-splines of the curve edges
+//   kept vertex    vertex that stays where it is: sharp, on three or more curve edges, isolated
+//   curve vertex   one with two curve edges; dart: with one; both unless kept
+//   doublet        smooth vertex of two faces: its new face would have two sides and is left out
+//   lens           the same at a kept vertex: the vertex joins the edge between the two faces
+//   tip            a kept vertex with fewer than two curve edges, in a fan of triangles
+#pragma once
+
+#include "scheme/subdivision_scheme.hpp"
+
+namespace surpass::doo_sabin {
+
+[[nodiscard]] Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
+                                                   const Rules& rules, const Context& context);
+
+[[nodiscard]] Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
+                                            const Rules& rules, const Context& context);
+
+[[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Rules& rules,
+                                                       const Context& context);
+
+/// The dual of the refined mesh, whose vertices lie on the limit surface. The given vertices'
+/// limits come first. `levels` is at least 1.
+[[nodiscard]] Result<Mesh> dual_limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                                           const Context& context);
+
+[[nodiscard]] const SubdivisionScheme& scheme();
+
+}  // namespace surpass::doo_sabin

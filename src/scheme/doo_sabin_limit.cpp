@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "scheme/doo_sabin.hpp"
+#include "scheme/doo_sabin_faces.hpp"
+#include "scheme/doo_sabin_weights.hpp"
+
+namespace surpass::doo_sabin {
+namespace {
+
+// Weights of given vertices, in any order, a vertex perhaps several times.
+using Terms = std::vector<std::pair<Index, double>>;
+
+class RowMaker {
+ public:
+  RowMaker(const Layout& layout, const WeightTable& table)
+      : layout_(layout), topology_(layout.topology()), table_(table) {}
+
+  // The limit is the mean, over the faces at v, of v's corner points. A vertex that two faces at v
+  // share beyond an edge appears once for each.
+  [[nodiscard]] Index smooth_length(Index v) const {
+    Index length = 1;
+    topology_.for_each_outgoing(
+        v, [&](Index h) { length += topology_.face_degree(topology_.face(h)) - 2; });
+    return length;
+  }
+
+  void fill_smooth(Index v, std::span<Index> columns, std::span<double> weights) const {
+    Index n = 0;
+    topology_.for_each_outgoing(v, [&](Index) { ++n; });
+    const double share = 1.0 / n;
+    double own = 0;
+    std::size_t k = 1;
+    const auto put = [&](Index w, double weight) {
+      columns[k] = w;
+      weights[k++] = share * weight;
+    };
+    topology_.for_each_outgoing(v, [&](Index h) {
+      const auto w = weights_at(h);
+      own += w[0];
+      Index g = topology_.next(h);
+      put(topology_.tail(g), w[1] + weights_at(topology_.opposite(h))[1]);
+      for (std::size_t j = 2; j + 1 < w.size(); ++j) {
+        g = topology_.next(g);
+        put(topology_.tail(g), w[j]);
+      }
+    });
+    columns[0] = v;
+    weights[0] = share * own;
+  }
+
+  // x'Sx is the sum over faces of x'C x with the face rule C, so it is at least the sum of their
+  // smallest eigenvalues times x'x.
+  [[nodiscard]] std::pair<Index, double> smooth_facts(Index v) const {
+    Index n = 0;
+    double sum = 0;
+    topology_.for_each_outgoing(v, [&](Index h) {
+      ++n;
+      sum += table_.lowest_eigenvalue(topology_.face_degree(topology_.face(h)));
+    });
+    return {n, sum / n};
+  }
+
+  [[nodiscard]] Terms special_row(Index v) const {
+    switch (layout_.kind(v)) {
+      case VertexKind::curve: return merged(v, curve_row(v));
+      case VertexKind::dart: return merged(v, dart_row(v));
+      case VertexKind::doublet: return merged(v, doublet_row(v));
+      default: return {{v, 1.0}};
+    }
+  }
+
+ private:
+  [[nodiscard]] std::span<const double> weights_at(Index h) const {
+    return table_.of(topology_.face_degree(topology_.face(h)));
+  }
+
+  void add_point(const NewCorner& corner, double scale, Terms& terms) const {
+    if (corner.toward != kNone) {
+      terms.emplace_back(topology_.tail(corner.at), scale * 3 / 4);
+      terms.emplace_back(topology_.tail(corner.toward), scale / 4);
+      return;
+    }
+    Index h = corner.at;
+    for (const double w : weights_at(h)) {
+      terms.emplace_back(topology_.tail(h), scale * w);
+      h = topology_.next(h);
+    }
+  }
+
+  // The midpoint between the curve points on both sides.
+  [[nodiscard]] Terms curve_row(Index v) const {
+    Terms terms = {{v, 3.0 / 4}};
+    topology_.for_each_spoke(v, [&](Index w, Index e) {
+      if (layout_.is_curve(e)) terms.emplace_back(w, 1.0 / 8);
+    });
+    return terms;
+  }
+
+  [[nodiscard]] Terms dart_row(Index v) const {
+    NewFaces faces;
+    append_vertex_faces(layout_, v, faces);
+    Terms terms;
+    for (const NewCorner& c : faces.corners) {
+      add_point(c, 1.0 / static_cast<double>(faces.corners.size()), terms);
+    }
+    return terms;
+  }
+
+  // The edge between the two corner points lies between the faces of the doublet's two edges.
+  [[nodiscard]] Terms doublet_row(Index v) const {
+    const Index h = topology_.outgoing(v);
+    const Index other = topology_.rotate(h);
+    Terms terms;
+    for (const Index g : {h, other}) {
+      NewFaces faces;
+      append_edge_faces(layout_, topology_.edge(g), faces);
+      add_edge_limit(table_.family(), faces.size(0), edge_position(faces, 0, h, other),
+                     [&](Index k, double w) { add_point(faces.corners[k], w, terms); });
+    }
+    return terms;
+  }
+
+  // The center first, then by column, each once.
+  static Terms merged(Index v, Terms terms) {
+    std::stable_sort(terms.begin(), terms.end(), [v](const auto& a, const auto& b) {
+      return std::pair(a.first != v, a.first) < std::pair(b.first != v, b.first);
+    });
+    Terms sums;
+    for (const auto& [column, weight] : terms) {
+      if (!sums.empty() && sums.back().first == column) {
+        sums.back().second += weight;
+      } else {
+        sums.emplace_back(column, weight);
+      }
+    }
+    return sums;
+  }
+
+  const Layout& layout_;
+  const Topology& topology_;
+  const WeightTable& table_;
+};
+
+}  // namespace
+
+Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                                     const Context& context) {
+  const auto layout = Layout::build(mesh, topology, rules.boundary, context);
+  if (!layout) return tl::make_unexpected(layout.error());
+  const WeightTable table(topology, rules.weights);
+  const RowMaker maker(*layout, table);
+  const Index n = topology.vertex_count();
+
+  LimitOperator op;
+  op.symmetric_weight.assign(n, 0.0);
+  op.lowest_eigenvalue.assign(n, 0.0);
+  op.on_curve.assign(n, 0);
+  const auto note = [&](Index v, double weight, double lowest, bool curve) {
+    op.symmetric_weight[v] = weight;
+    op.lowest_eigenvalue[v] = lowest;
+    op.on_curve[v] = curve ? 1 : 0;
+  };
+  op.rows = SparseRows::build(
+      context, n,
+      [&](Index v) -> Index {
+        if (layout->kind(v) == VertexKind::smooth) return maker.smooth_length(v);
+        return static_cast<Index>(maker.special_row(v).size());
+      },
+      [&](Index v, std::span<Index> columns, std::span<double> weights) {
+        const VertexKind kind = layout->kind(v);
+        if (kind == VertexKind::smooth) {
+          maker.fill_smooth(v, columns, weights);
+          const auto [valence, lowest] = maker.smooth_facts(v);
+          note(v, valence, lowest, false);
+          return;
+        }
+        const Terms row = maker.special_row(v);
+        for (std::size_t k = 0; k < row.size(); ++k) {
+          std::tie(columns[k], weights[k]) = row[k];
+        }
+        // Curve rows: symmetric with weight 8; Gershgorin's bound is 3/4 less two eighths.
+        if (kind == VertexKind::curve) note(v, 8, 1.0 / 2, true);
+        if (kind == VertexKind::kept) note(v, 1, 1, true);
+      });
+  return op;
+}
+
+}  // namespace surpass::doo_sabin
