@@ -26,7 +26,9 @@ std::vector<Point> points_of(const nlohmann::json& rows) {
 
 Rules rules_of(const std::string& scheme, const std::string& boundary) {
   Rules rules;
-  rules.scheme = scheme == "loop" ? Scheme::loop : Scheme::doo_sabin;
+  rules.scheme = scheme == "loop"            ? Scheme::loop
+                 : scheme == "catmull-clark" ? Scheme::catmull_clark
+                                             : Scheme::doo_sabin;
   rules.weights = scheme == "doosabin-cos" ? Weights::cosine : Weights::averaging;
   rules.boundary = boundary == "hoppe"    ? Boundary::hoppe
                    : boundary == "corner" ? Boundary::edge_and_corner

@@ -20,7 +20,7 @@ struct Value {
   }
 };
 
-std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, Boundary boundary, int levels) {
+std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& rules, int levels) {
   std::vector<int> sizes;
   for (Index f = 0; f < mesh.face_count(); ++f)
     sizes.push_back(static_cast<int>(mesh.face(f).size()));
@@ -49,12 +49,14 @@ std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, Boundary boun
   d.cornerVertexIndices = corners.data();
   d.cornerWeights = corner_weights.data();
   Sdc::Options options;
-  options.SetVtxBoundaryInterpolation(boundary == Boundary::edge_only
+  options.SetVtxBoundaryInterpolation(rules.boundary == Boundary::edge_only
                                           ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
                                           : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
+  const Sdc::SchemeType type =
+      rules.scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   std::unique_ptr<Far::TopologyRefiner> refiner(
-      Factory::Create(d, Factory::Options(Sdc::SCHEME_LOOP, options)));
+      Factory::Create(d, Factory::Options(type, options)));
   Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;
   refiner->RefineUniform(uniform);
@@ -84,8 +86,8 @@ Walk walk(const Far::TopologyRefiner& refiner, const Mesh& mesh, int levels) {
 
 }  // namespace
 
-OsdRefined osd_refine(const Mesh& mesh, Boundary boundary, int levels) {
-  const auto refiner = refiner_of(mesh, boundary, levels);
+OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels) {
+  const auto refiner = refiner_of(mesh, rules, levels);
   const Walk w = walk(*refiner, mesh, levels);
   OsdRefined refined;
   for (const Value& value : w.values) refined.points.push_back(value.p);
@@ -93,8 +95,8 @@ OsdRefined osd_refine(const Mesh& mesh, Boundary boundary, int levels) {
   return refined;
 }
 
-std::vector<Point> osd_normals(const Mesh& mesh, Boundary boundary) {
-  const auto refiner = refiner_of(mesh, boundary, 1);
+std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules) {
+  const auto refiner = refiner_of(mesh, rules, 1);
   const Walk w = walk(*refiner, mesh, 1);
   std::vector<Value> limit(w.values.size());
   std::vector<Value> first(w.values.size());

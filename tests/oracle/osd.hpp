@@ -13,9 +13,9 @@ struct OsdRefined {
   std::vector<Point> points;
   std::vector<Index> descendant;  ///< #V of the given mesh
 };
-OsdRefined osd_refine(const Mesh& mesh, Boundary boundary, int levels);
+OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels);
 
 /// Unit limit normals at the given vertices, from OpenSubdiv's limit tangents after one refinement.
-std::vector<Point> osd_normals(const Mesh& mesh, Boundary boundary);
+std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules);
 
 }  // namespace surpass::test

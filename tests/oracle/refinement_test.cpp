@@ -1,9 +1,11 @@
 // Refined points against OpenSubdiv, matched by position: the two number new vertices differently.
 #include <algorithm>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "osd.hpp"
+#include "support/polygons.hpp"
 
 namespace surpass {
 namespace {
@@ -22,17 +24,20 @@ void expect_same_points(std::vector<Point> a, std::vector<Point> b, double toler
   EXPECT_LT(test::max_distance(a, b), tolerance);
 }
 
-class RefinementAgainstOpenSubdiv : public testing::TestWithParam<int> {};
+class RefinementAgainstOpenSubdiv : public testing::TestWithParam<std::tuple<Scheme, int>> {};
 
 TEST_P(RefinementAgainstOpenSubdiv, TwoLevelsWithAndWithoutCreases) {
   for (const double creases : {0.0, 0.15}) {
     for (const bool semi_sharp : {false, true}) {
-      const Mesh mesh = test::random_mesh(
-          {.seed = 11, .kind = GetParam(), .creases = creases, .semi_sharp = semi_sharp});
+      const auto [scheme, kind] = GetParam();
+      const test::RandomShape shape{
+          .seed = 11, .kind = kind, .creases = creases, .semi_sharp = semi_sharp};
+      const Mesh mesh = test::random_mesh_for(scheme, shape);
       for (const Boundary boundary : {Boundary::edge_only, Boundary::edge_and_corner}) {
-        const auto ours = refine(mesh, {Scheme::loop, boundary}, 2);
+        const Rules rules{scheme, boundary};
+        const auto ours = refine(mesh, rules, 2);
         ASSERT_TRUE(ours) << describe(ours.error());
-        const auto theirs = test::osd_refine(mesh, boundary, 2);
+        const auto theirs = test::osd_refine(mesh, rules, 2);
         expect_same_points(ours->points, theirs.points, 1e-14);
         for (Index v = 0; v < mesh.vertex_count(); ++v) {
           const Point& p = ours->points[v];
@@ -44,7 +49,9 @@ TEST_P(RefinementAgainstOpenSubdiv, TwoLevelsWithAndWithoutCreases) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(RandomMeshes, RefinementAgainstOpenSubdiv, testing::Range(0, 5));
+INSTANTIATE_TEST_SUITE_P(RandomMeshes, RefinementAgainstOpenSubdiv,
+                         testing::Combine(testing::Values(Scheme::loop, Scheme::catmull_clark),
+                                          testing::Range(0, 5)));
 
 }  // namespace
 }  // namespace surpass

@@ -46,10 +46,12 @@ std::vector<Point> points_of(const Dense& matrix) {
 
 TEST(Interpolation, PassesThroughEveryPointWithEverySolver) {
   test::check("interpolation", 40, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] = test::any_case(true);
     const Solver solver =
-        *rc::gen::element(Solver::chebyshev, Solver::richardson, Solver::gauss_seidel);
+        rules.scheme == Scheme::catmull_clark  // whose eigenvalues may come near zero
+            ? *rc::gen::element(Solver::automatic, Solver::gauss_seidel, Solver::bicgstab)
+            : *rc::gen::element(Solver::automatic, Solver::chebyshev, Solver::richardson,
+                                Solver::gauss_seidel, Solver::bicgstab);
     const auto result = interpolate(mesh, {.rules = rules, .solver = solver, .tolerance = 1e-13});
     RC_ASSERT(result.has_value());
     RC_ASSERT(result->report.converged);
@@ -61,26 +63,29 @@ TEST(Interpolation, PassesThroughEveryPointWithEverySolver) {
 
 TEST(Interpolation, EqualsADenseSolve) {
   test::check("dense solve", 12, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
-    const Dense solution =
-        dense_operator(mesh, rules).partialPivLu().solve(dense_points(mesh.points));
+    const auto [mesh, rules] = test::any_case(true);
+    const Dense matrix = dense_operator(mesh, rules);
+    const Dense solution = matrix.partialPivLu().solve(dense_points(mesh.points));
     const auto result = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
     RC_ASSERT(result.has_value());
-    RC_ASSERT(test::max_distance(result->control.points, points_of(solution)) < 1e-11);
+    const double lowest = matrix.eigenvalues().cwiseAbs().minCoeff();
+    RC_ASSERT(test::max_distance(result->control.points, points_of(solution)) < 1e-12 / lowest);
   });
 }
 
-TEST(Interpolation, ConjugateGradientsAgreeWhereTheyApply) {
-  test::check("conjugate gradients", 20, [] {
-    const Mesh mesh = test::any_mesh(false);
-    const Rules rules = test::any_rules();
+TEST(Interpolation, SolversForSymmetricOperatorsAgreeWhereTheyApply) {
+  test::check("conjugate gradients, MINRES", 20, [] {
+    const auto [mesh, rules] = test::any_case(false);
     const auto a = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
     const auto b = interpolate(
         mesh, {.rules = rules, .solver = Solver::conjugate_gradient, .tolerance = 1e-14});
     RC_ASSERT(a.has_value());
     RC_ASSERT(b.has_value());
-    RC_ASSERT(test::max_distance(a->control.points, b->control.points) < 1e-11);
+    RC_ASSERT(test::max_distance(a->control.points, b->control.points) < 1e-10);
+    const auto c =
+        interpolate(mesh, {.rules = rules, .solver = Solver::minimal_residual, .tolerance = 1e-14});
+    RC_ASSERT(c.has_value());
+    RC_ASSERT(test::max_distance(a->control.points, c->control.points) < 1e-10);
   });
 }
 
@@ -134,8 +139,8 @@ TEST(Interpolation, RichardsonIsThePapersIteration) {
 
 TEST(Interpolation, GoingDirectlyToTheLastIterationIsEnough) {
   test::check("a-priori bound", 15, [] {
-    const Mesh mesh = test::any_mesh(false);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] =  // no bound is proven for Catmull-Clark at valence 3
+        test::any_case(false, *rc::gen::element(Scheme::loop, Scheme::doo_sabin));
     const Solver solver = *rc::gen::element(Solver::chebyshev, Solver::richardson);
     const double tolerance = *rc::gen::element(1e-3, 1e-6, 1e-9);
     const InterpolateOptions options{
@@ -163,8 +168,7 @@ TEST(Interpolation, NoBoundIsClaimedForDarts) {
 
 TEST(Interpolation, LeavesUnlistedVerticesAlone) {
   test::check("only", 15, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] = test::any_case(true);
     std::vector<Index> only;
     for (Index v = 0; v < mesh.vertex_count(); v += 3) only.push_back(v);
     const auto result = interpolate(mesh, {.rules = rules, .tolerance = 1e-13, .only = only});

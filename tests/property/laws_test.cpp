@@ -46,7 +46,8 @@ Mesh rotated(const Mesh& mesh, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (const Index f : shuffled_numbers(mesh.face_count(), seed)) {
     std::vector<Index> face(mesh.face(f).begin(), mesh.face(f).end());
-    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % 3), face.end());
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % face.size()),
+                face.end());
     out.add_face(face);
   }
   return out;
@@ -54,8 +55,7 @@ Mesh rotated(const Mesh& mesh, std::uint64_t seed) {
 
 TEST(Laws, AffineInvariance) {
   test::check("affine", 30, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] = test::any_case(true);
     const auto control = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
     const auto moved = interpolate(transformed(mesh), {.rules = rules, .tolerance = 1e-14});
     RC_ASSERT(control && moved);
@@ -66,22 +66,20 @@ TEST(Laws, AffineInvariance) {
 
 TEST(Laws, VertexNumbersDoNotMatter) {
   test::check("permutation", 30, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] = test::any_case(true);
     const auto to = shuffled_numbers(mesh.vertex_count(), *rc::gen::arbitrary<std::uint64_t>());
     const auto a = interpolate(mesh, {.rules = rules, .tolerance = 1e-14});
     const auto b = interpolate(renumbered(mesh, to), {.rules = rules, .tolerance = 1e-14});
     RC_ASSERT(a && b);
     std::vector<Point> back(mesh.points.size());
     for (Index v = 0; v < mesh.vertex_count(); ++v) back[v] = b->control.points[to[v]];
-    RC_ASSERT(test::max_distance(a->control.points, back) < 1e-11);
+    RC_ASSERT(test::max_distance(a->control.points, back) < 1e-10);
   });
 }
 
 TEST(Laws, FaceOrderAndFirstCornersDoNotMatter) {
   test::check("rotation", 30, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] = test::any_case(true);
     const Mesh turned = rotated(mesh, *rc::gen::arbitrary<std::uint64_t>());
     const auto a = limit_positions(mesh, rules);
     const auto b = limit_positions(turned, rules);
@@ -95,8 +93,8 @@ TEST(Laws, FaceOrderAndFirstCornersDoNotMatter) {
 
 TEST(Laws, RefinementKeepsTheLimit) {
   test::check("refine", 30, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] =  // Doo-Sabin surfaces have given vertices inside refined faces
+        test::any_case(true, *rc::gen::element(Scheme::loop, Scheme::catmull_clark));
     const auto before = limit_positions(mesh, rules);
     const auto refined = refine(mesh, rules, *rc::gen::inRange(1, 4));
     RC_ASSERT(before && refined);
@@ -108,8 +106,7 @@ TEST(Laws, RefinementKeepsTheLimit) {
 
 TEST(Laws, MirrorImagesHaveMirroredNormals) {
   test::check("mirror", 20, [] {
-    const Mesh mesh = test::any_mesh(true);
-    const Rules rules = test::any_rules();
+    const auto [mesh, rules] = test::any_case(true);
     Mesh mirrored = mesh;
     for (Point& p : mirrored.points) p[0] = -p[0];
     for (Index f = 0; f < mesh.face_count(); ++f) {

@@ -26,6 +26,11 @@ Mesh join_faces(const Mesh& mesh, std::mt19937_64& random, std::size_t tries, In
 /// random_mesh with joined faces.
 Mesh random_polygons(const RandomShape& shape, Index valence = 3);
 
+/// random_mesh in faces that the scheme takes.
+inline Mesh random_mesh_for(Scheme scheme, const RandomShape& shape) {
+  return scheme == Scheme::loop ? random_mesh(shape) : random_polygons(shape);
+}
+
 /// A mesh with a name for messages.
 struct Sample {
   std::string name;
