@@ -111,6 +111,26 @@ Mesh pillow(Index n) {
   return mesh;
 }
 
+Mesh split_edge(const Mesh& mesh, Index a, Index b, const Point& point) {
+  Mesh out = mesh;
+  out.points.push_back(point);
+  out.face_offsets = {0};
+  out.face_vertices.clear();
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    std::vector<Index> face;
+    const auto given = mesh.face(f);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const Index next = given[(i + 1) % given.size()];
+      face.push_back(given[i]);
+      if ((given[i] == a && next == b) || (given[i] == b && next == a)) {
+        face.push_back(mesh.vertex_count());
+      }
+    }
+    out.add_face(face);
+  }
+  return out;
+}
+
 Mesh join_faces(const Mesh& mesh, std::mt19937_64& random, std::size_t tries, Index valence) {
   Mesh out = mesh;
   for (std::size_t t = 0; t < tries; ++t) {
@@ -160,7 +180,8 @@ std::vector<Sample> polygon_samples() {
   Mesh with_isolated = cube();
   with_isolated.points.push_back({3, 3, 3});
   const std::vector<std::array<Index, 2>> top = {{4, 5}, {5, 7}, {7, 6}, {6, 4}};
-  std::vector<Sample> samples = {
+  const Mesh split = split_edge(cube(), 4, 5, {0.2, -1.3, 1.2});  // vertex 8 has two faces
+  return {
       {"tetrahedron", tetrahedron()},
       {"cube", cube()},
       {"prism 7", prism(7)},
@@ -178,25 +199,30 @@ std::vector<Sample> polygon_samples() {
       {"grid, crease to the boundary", with_creases(quad_grid(4, 4), {{1, 5}, {5, 9}})},
       {"random creases", random_polygons({.seed = 5, .kind = 0, .creases = 0.15})},
       {"random open creases", random_polygons({.seed = 6, .kind = 3, .creases = 0.15})},
-      {"tip", with_corners(cube(), {0}), true},
-      {"tip with a crease", with_corners(with_creases(cube(), {{0, 1}}), {0}), true},
-      {"closed bow-tie", joined_at_vertex(tetrahedron(), 0, cube(), 7), true},
+      {"tip", with_corners(cube(), {0}), false},
+      {"tip with a crease", with_corners(with_creases(cube(), {{0, 1}}), {0}), false},
+      {"closed bow-tie", joined_at_vertex(tetrahedron(), 0, cube(), 7), false},
       {"open bow-tie", joined_at_vertex(quad_grid(3, 3), 8, quad_grid(2, 2), 0)},
-      {"mixed bow-tie", joined_at_vertex(quad_grid(3, 3), 8, cube(), 0), true},
-      {"bow-tie inside", joined_at_vertex(quad_grid(3, 3), 4, quad_grid(3, 3), 4), true},
-      {"pillow", pillow(5)},
-      {"triangular pillow", pillow(3)},
+      {"mixed bow-tie", joined_at_vertex(quad_grid(3, 3), 8, cube(), 0), false},
+      {"bow-tie inside", joined_at_vertex(quad_grid(3, 3), 4, quad_grid(3, 3), 4), false},
+      {"pillow", pillow(5), false},
+      {"triangular pillow", pillow(3), false},
       {"doublets", random_polygons({.seed = 7, .kind = 0}, 2)},
       {"open doublets", random_polygons({.seed = 8, .kind = 2}, 2)},
       {"doublets and creases", random_polygons({.seed = 9, .kind = 0, .creases = 0.1}, 2)},
-      {"pillow, one sharp edge", with_creases(pillow(5), {{0, 1}})},
-      {"pillow, sharp seam", with_creases(pillow(4), {{0, 1}, {1, 2}, {2, 3}, {3, 0}})},
-      {"lens", with_corners(pillow(5), {2}), true},
-      {"two lenses", with_corners(pillow(4), {1, 2}), true},
-      {"bow-tie lens", joined_at_vertex(pillow(5), 0, cube(), 0), true},
-      {"lens and crease", with_corners(with_creases(pillow(5), {{2, 3}}), {2}), true},
+      {"pillow, one sharp edge", with_creases(pillow(5), {{0, 1}}), false},
+      {"pillow, sharp seam", with_creases(pillow(4), {{0, 1}, {1, 2}, {2, 3}, {3, 0}}), false},
+      {"doublet on an edge", split},
+      {"doublet on a crease", with_creases(split, {{4, 8}, {8, 5}})},
+      {"dart with two faces", with_creases(split, {{4, 8}})},
+      {"lens on an edge", with_corners(split, {8}), false},
+      {"lens and crease on an edge", with_corners(with_creases(split, {{4, 8}}), {8}), false},
+      {"corner of two faces", with_corners(with_creases(split, {{4, 8}, {8, 5}}), {8})},
+      {"lens", with_corners(pillow(5), {2}), false},
+      {"two lenses", with_corners(pillow(4), {1, 2}), false},
+      {"bow-tie lens", joined_at_vertex(pillow(5), 0, cube(), 0), false},
+      {"lens and crease", with_corners(with_creases(pillow(5), {{2, 3}}), {2}), false},
   };
-  return samples;
 }
 
 }  // namespace surpass::test

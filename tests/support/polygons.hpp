@@ -19,6 +19,9 @@ Mesh quad_grid(Index nx, Index ny);
 /// Two n-gons, back to back: every vertex has two faces. The points do not lie in a plane.
 Mesh pillow(Index n);
 
+/// A new vertex on an edge, the last: both faces get a corner more.
+Mesh split_edge(const Mesh& mesh, Index a, Index b, const Point& point);
+
 /// Joins faces across random interior edges while faces stay simple polygons that share one edge
 /// with each neighbour, and interior vertices keep at least `valence` edges.
 Mesh join_faces(const Mesh& mesh, std::mt19937_64& random, std::size_t tries, Index valence = 3);
@@ -35,7 +38,7 @@ inline Mesh random_mesh_for(Scheme scheme, const RandomShape& shape) {
 struct Sample {
   std::string name;
   Mesh mesh;
-  bool has_tip = false;  ///< sharp vertices without a limit normal
+  bool has_normals = true;  ///< false with tips, and where two sides of the surface coincide
 };
 
 /// Closed, open, creased, with darts, tips, bow-ties, doublets; faces of three and more sides.

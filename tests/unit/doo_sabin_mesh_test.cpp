@@ -39,7 +39,7 @@ TEST(DooSabinLimitMesh, IsASoundSurfaceOfTheSameKind) {
 
 TEST(DooSabinLimitMesh, HasNormalsOnTheSideOfItsFaces) {
   for_every_sample([](const Sample& sample, const Rules& rules) {
-    if (sample.has_tip) return;
+    if (!sample.has_normals) return;
     const int levels = affordable_levels(sample.mesh, 5);
     const Mesh mesh = limit_mesh(sample.mesh, rules, levels).value();
     const Channel& normals = mesh.channels.back();
@@ -47,7 +47,7 @@ TEST(DooSabinLimitMesh, HasNormalsOnTheSideOfItsFaces) {
     for (Index f = 0; f < mesh.face_count(); ++f) {
       Point sum = {};
       for (const Index v : mesh.face(f)) {
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += normals.values[3 * v + c];
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += normals.values[std::size_t{3} * v + c];
       }
       EXPECT_GT(dot(face_normal(mesh, f), sum), 0) << "face " << f;
     }
@@ -58,17 +58,17 @@ TEST(DooSabinLimitMesh, EnclosesItsVolumeOutward) {
   for (const Mesh& given : {cube(), tetrahedron(), prism(7)}) {
     const Mesh mesh = limit_mesh(given, {.scheme = Scheme::doo_sabin}, 3).value();
     for (Index f = 0; f < mesh.face_count(); ++f) {
-      EXPECT_GT(dot(face_normal(mesh, f), mesh.points[mesh.face(f)[0]]), 0);
+      EXPECT_GT(dot(face_normal(mesh, f), mesh.points[mesh.face(f).front()]), 0);
     }
   }
 }
 
 TEST(DooSabinLimitMesh, KeepsHoles) {
-  Mesh mesh = quad_grid(4, 4);
-  mesh.hole_faces = {4};
+  Mesh mesh = quad_grid(6, 6);
+  mesh.hole_faces = {6, 7, 8, 11, 12, 13, 16, 17, 18};
   const Mesh limit = limit_mesh(mesh, {.scheme = Scheme::doo_sabin}, 2).value();
   EXPECT_FALSE(limit.hole_faces.empty());
-  EXPECT_LT(limit.hole_faces.size(), limit.face_count() / 8);
+  EXPECT_LT(limit.hole_faces.size(), limit.face_count() / 4);
 }
 
 }  // namespace
