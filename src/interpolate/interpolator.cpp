@@ -283,6 +283,9 @@ Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& opt
   result.control.channels = std::move(solution->channels);
   result.control.annotate("scheme", name_of(options.rules.scheme));
   result.control.annotate("boundary", name_of(options.rules.boundary));
+  if (options.rules.weights != Weights{}) {
+    result.control.annotate("weights", name_of(options.rules.weights));
+  }
   return result;
 }
 
