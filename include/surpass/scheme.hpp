@@ -34,7 +34,7 @@ struct Rules {
   bool operator==(const Rules&) const = default;
 };
 
-/// "loop"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
+/// "loop", "doo-sabin"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Boundary boundary);
 [[nodiscard]] const char* name_of(Weights weights);
@@ -61,10 +61,14 @@ struct Rules {
 /// The mesh after `levels` refinement steps (0 returns it unchanged). Vertices of the given mesh
 /// come first and in order, then one per edge. Vertex channels are refined like positions, corner
 /// channels linearly; face sets, holes, creases and corners (sharpness less one) are inherited.
+/// Doo-Sabin: new vertices are one per face corner, two per boundary or sharp edge, and the given
+/// vertices that keep their place; corner channels are refined by the face rule.
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context = {});
 
 /// The refined mesh moved onto the limit surface, with the limit normals in channel "normal".
+/// Doo-Sabin, from level 1: the dual of the refined mesh, whose vertices lie on the limit surface,
+/// the given vertices' limits first and in order; without corner channels, face data and creases.
 [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
                                       const Context& context = {});
 
