@@ -34,8 +34,12 @@ struct Rules {
   bool operator==(const Rules&) const = default;
 };
 
+<<<<<<< HEAD
 /// "loop", "catmull-clark"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging",
 /// "cosine".
+=======
+/// "loop", "doo-sabin"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
+>>>>>>> doo-sabin
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Boundary boundary);
 [[nodiscard]] const char* name_of(Weights weights);
@@ -66,13 +70,22 @@ struct Rules {
                                                        const Context& context = {});
 
 /// The mesh after `levels` refinement steps (0 returns it unchanged). Vertices of the given mesh
+<<<<<<< HEAD
 /// come first and in order, then one per edge, then (Catmull-Clark) one per face. Vertex channels
 /// are refined like positions, corner channels linearly; face sets, holes, creases and corners
 /// (sharpness less one) are inherited.
+=======
+/// come first and in order, then one per edge. Vertex channels are refined like positions, corner
+/// channels linearly; face sets, holes, creases and corners (sharpness less one) are inherited.
+/// Doo-Sabin: new vertices are one per face corner, two per boundary or sharp edge, and the given
+/// vertices that keep their place; corner channels are refined by the face rule.
+>>>>>>> doo-sabin
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context = {});
 
 /// The refined mesh moved onto the limit surface, with the limit normals in channel "normal".
+/// Doo-Sabin, from level 1: the dual of the refined mesh, whose vertices lie on the limit surface,
+/// the given vertices' limits first and in order; without corner channels, face data and creases.
 [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
                                       const Context& context = {});
 

@@ -105,6 +105,11 @@ void append_edge_faces(const Layout& layout, Index e, NewFaces& faces) {
 void append_vertex_faces(const Layout& layout, Index v, NewFaces& faces) {
   const Topology& topology = layout.topology();
   if (topology.is_isolated(v)) return;
+  if (layout.kind(v) == VertexKind::smooth) {  // nearly all: append_fan's polygon without its lists
+    topology.for_each_outgoing(v, [&](Index h) { faces.corners.push_back(corner_point(h)); });
+    faces.end_face();
+    return;
+  }
   append_fan(layout, v, topology.outgoing(v), faces);
   if (!topology.is_bowtie(v)) return;
   for (const Index start : topology.further_fans(v)) append_fan(layout, v, start, faces);

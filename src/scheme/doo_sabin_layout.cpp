@@ -78,7 +78,7 @@ Result<Layout> Layout::build(const Mesh& mesh, const Topology& topology, Boundar
 
 bool Layout::is_lens(Index h) const {
   const Topology& t = *topology_;
-  if (kinds_[t.tail(h)] != VertexKind::kept) return false;
+  if (kept_vertices_.empty() || kinds_[t.tail(h)] != VertexKind::kept) return false;
   const Index other = t.rotate(h);
   return other != kNone && t.rotate(other) == h && !is_curve(t.edge(h)) && !is_curve(t.edge(other));
 }

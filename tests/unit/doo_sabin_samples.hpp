@@ -31,11 +31,11 @@ void for_every_sample(Law&& law) {
   }
 }
 
-/// Levels that stay below about 200 000 face corners.
+/// Levels until there are 100 000 face corners.
 inline int affordable_levels(const Mesh& mesh, int most) {
   double corners = mesh.corner_count();
   int levels = 0;
-  while (levels < most && corners < 50000) {
+  while (levels < most && corners < 30000) {
     corners *= 4;
     ++levels;
   }
