@@ -120,7 +120,7 @@ Result<void> Interpolate::run(Session& session) {
   if (!found) return tl::make_unexpected(found.error());
   const Result<Verdict> verdict = verify(found->control, given, session);
   if (!verdict) return tl::make_unexpected(verdict.error());
-  session.report["solver"] = found->report.solver;
+  if (!found->report.solver.empty()) session.report["solver"] = found->report.solver;
   add_solve_report(found->report, *verdict, session.report);
   session.console.notes(found->report.notes);
   session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), given.vertex_count(),

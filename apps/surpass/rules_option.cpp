@@ -100,6 +100,7 @@ Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
   if (weights_) rules.weights = *weights_;
   session.report["scheme"] = name_of(rules.scheme);
   session.report["boundary"] = name_of(rules.boundary);
+  if (rules.weights != Weights{}) session.report["weights"] = name_of(rules.weights);
   return rules;
 }
 

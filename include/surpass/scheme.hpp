@@ -34,12 +34,8 @@ struct Rules {
   bool operator==(const Rules&) const = default;
 };
 
-<<<<<<< HEAD
-/// "loop", "catmull-clark"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging",
-/// "cosine".
-=======
-/// "loop", "doo-sabin"; "edge-only", "edge-and-corner", "hoppe", "interior"; "averaging", "cosine".
->>>>>>> doo-sabin
+/// "loop", "catmull-clark", "doo-sabin"; "edge-only", "edge-and-corner", "hoppe", "interior";
+/// "averaging", "cosine".
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Boundary boundary);
 [[nodiscard]] const char* name_of(Weights weights);
@@ -70,16 +66,11 @@ struct Rules {
                                                        const Context& context = {});
 
 /// The mesh after `levels` refinement steps (0 returns it unchanged). Vertices of the given mesh
-<<<<<<< HEAD
 /// come first and in order, then one per edge, then (Catmull-Clark) one per face. Vertex channels
 /// are refined like positions, corner channels linearly; face sets, holes, creases and corners
-/// (sharpness less one) are inherited.
-=======
-/// come first and in order, then one per edge. Vertex channels are refined like positions, corner
-/// channels linearly; face sets, holes, creases and corners (sharpness less one) are inherited.
-/// Doo-Sabin: new vertices are one per face corner, two per boundary or sharp edge, and the given
-/// vertices that keep their place; corner channels are refined by the face rule.
->>>>>>> doo-sabin
+/// (sharpness less one) are inherited. Doo-Sabin: new vertices are one per face corner, two per
+/// boundary or sharp edge, and the given vertices that keep their place; corner channels are refined
+/// by the face rule.
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context = {});
 

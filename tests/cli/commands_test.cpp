@@ -273,10 +273,12 @@ TEST(Inspect, CountsOfADiscAndAnOctahedron) {
 }
 
 TEST(Inspect, SaysWhatWouldBeRefused) {
-  const nlohmann::json cube = report_of({"inspect", data("cube.obj")}, 3);
+  const nlohmann::json cube = report_of({"inspect", data("cube.obj"), "--scheme", "loop"}, 3);
   EXPECT_EQ(cube["anatomy"]["accepted"], false);
   EXPECT_EQ(cube["anatomy"]["refusals"][0]["code"], "unsuitable-for-scheme");
   const nlohmann::json mended = report_of({"inspect", data("cube.obj"), "--triangulate"});
+  EXPECT_EQ(mended["scheme"], "loop");
+  EXPECT_EQ(report_of({"inspect", data("cube.obj")})["scheme"], "catmull-clark");
   EXPECT_EQ(mended["anatomy"]["accepted"], true);
   EXPECT_EQ(mended["input"]["faces"], 12);
 }

@@ -55,7 +55,8 @@ TEST(Unreadable, AListOfVerticesWithAWrongNumber) {
 
 TEST(Unsuitable, PolygonsForLoop) {
   const TempFolder folder;
-  const Outcome outcome = surpass({"interpolate", data("cube.obj"), "-o", folder / "x.obj"});
+  const Outcome outcome =
+      surpass({"interpolate", data("cube.obj"), "-o", folder / "x.obj", "--scheme", "loop"});
   EXPECT_EQ(outcome.status, 3);
   EXPECT_NE(outcome.err.find("--triangulate"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("face 0"), std::string::npos) << outcome.err;

@@ -127,7 +127,7 @@ TEST(Remarks, NameTheElements) {
   Mesh mesh = samples::faces(5, {{0, 1, 2}, {2, 1, 3}});
   mesh.points[3] = mesh.points[1];
   mesh.points[4] = mesh.points[0];
-  EXPECT_NE(remark(mesh, "--weld").find("3 on 1, 4 on 0"), std::string::npos);
+  EXPECT_NE(remark(mesh, "exactly the coordinates").find("3 on 1, 4 on 0"), std::string::npos);
   EXPECT_NE(remark(mesh, "zero length").find("1 edge of a face"), std::string::npos);
   EXPECT_NE(remark(mesh, "zero area").find("1 face of zero area up to rounding: 1"),
             std::string::npos);
