@@ -29,6 +29,7 @@ bench: need-bench  ## time Surpass beside other libraries; figures go to bench/r
 papers: need-papers build/release/build.ninja  ## repeat the figures of the papers into docs/papers; needs DATA=DIR
 	@cmake --build build/release --target surpass_app -j $(JOBS)
 	@python3 tools/papers.py build/release/surpass "$(DATA)" docs/papers
+	@python3 tools/iterations.py build/release/surpass "$(DATA)" docs/papers/iterations.md
 
 format: need-format  ## rewrite the sources in the project's format
 	@tools/sources.sh | xargs clang-format -i

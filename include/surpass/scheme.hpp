@@ -69,8 +69,8 @@ struct Rules {
 /// come first and in order, then one per edge, then (Catmull-Clark) one per face. Vertex channels
 /// are refined like positions, corner channels linearly; face sets, holes, creases and corners
 /// (sharpness less one) are inherited. Doo-Sabin: new vertices are one per face corner, two per
-/// boundary or sharp edge, and the given vertices that keep their place; corner channels are refined
-/// by the face rule.
+/// boundary or sharp edge, and the given vertices that keep their place; corner channels are
+/// refined by the face rule.
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context = {});
 

@@ -63,6 +63,26 @@ Mesh cube() {
   return mesh;
 }
 
+Mesh dual(const Mesh& mesh) {
+  Mesh out;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    Point mean = {};
+    for (const Index v : mesh.face(f)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        mean[k] += mesh.points[v][k] / static_cast<double>(mesh.face(f).size());
+      }
+    }
+    out.points.push_back(mean);
+  }
+  const Topology topology = Topology::build(mesh).value();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    std::vector<Index> face;
+    topology.for_each_outgoing(v, [&](Index h) { face.push_back(topology.face(h)); });
+    out.add_face(face);
+  }
+  return out;
+}
+
 Mesh prism(Index n) {
   Mesh mesh;
   std::vector<Index> bottom;

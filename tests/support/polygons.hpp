@@ -22,6 +22,10 @@ Mesh pillow(Index n);
 /// A new vertex on an edge, the last: both faces get a corner more.
 Mesh split_edge(const Mesh& mesh, Index a, Index b, const Point& point);
 
+/// A vertex at each face's mean and a face around each vertex of a closed mesh: valence 3
+/// everywhere for triangles.
+Mesh dual(const Mesh& mesh);
+
 /// Joins faces across random interior edges while faces stay simple polygons that share one edge
 /// with each neighbour, and interior vertices keep at least `valence` edges.
 Mesh join_faces(const Mesh& mesh, std::mt19937_64& random, std::size_t tries, Index valence = 3);
