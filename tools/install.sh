@@ -16,7 +16,7 @@ case $job in
   bench) packages=("${compile[@]}" "${rivals[@]}") ;;
   format) packages=(clang-format) ;;
   lint) packages=("${compile[@]}" "${testing[@]}" clang-format clang-tidy) ;;
-  ci) packages=("${compile[@]}" "${testing[@]}" clang clang-format clang-tidy ccache) ;;
+  ci) packages=("${compile[@]}" "${testing[@]}" clang libclang-rt-dev clang-format clang-tidy ccache) ;;
   *)
     echo "tools/install.sh: there is no job '$job'" >&2
     exit 1

@@ -74,7 +74,8 @@ struct Rules {
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context = {});
 
-/// The refined mesh moved onto the limit surface, with the limit normals in channel "normal".
+/// The refined mesh moved onto the limit surface, with the limit normals in channel "normal", and
+/// without hole faces.
 /// Doo-Sabin, from level 1: the dual of the refined mesh, whose vertices lie on the limit surface,
 /// the given vertices' limits first and in order; without corner channels, face data and creases.
 [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,

@@ -189,7 +189,7 @@ Result<void> opensubdiv_knows(const Rules& rules) {
 Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const Rules& rules,
                                                       std::vector<std::string>* notes) {
   if (auto ok = opensubdiv_knows(rules); !ok) return tl::make_unexpected(ok.error());
-  if (rules.scheme == Scheme::loop && !all_triangles(control)) {
+  if (face_size(rules.scheme) == 3 && !all_triangles(control)) {
     return fail(ErrorCode::unsuitable_for_scheme, "Loop surfaces are made of triangles");
   }
   const Shape shape = shape_of(control);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/select.hpp"
 #include "scheme/catmull_clark.hpp"
 #include "scheme/doo_sabin.hpp"
 #include "scheme/loop.hpp"
@@ -216,7 +217,9 @@ Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rul
 
 Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
                         const Context& context) {
-  return scheme_of(rules.scheme).limit_mesh(control, rules, levels, context);
+  auto mesh = scheme_of(rules.scheme).limit_mesh(control, rules, levels, context);
+  if (!mesh || mesh->hole_faces.empty()) return mesh;
+  return without_hole_faces(*mesh, control.vertex_count());
 }
 
 }  // namespace surpass

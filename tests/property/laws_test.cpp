@@ -104,6 +104,31 @@ TEST(Laws, RefinementKeepsTheLimit) {
   });
 }
 
+// Positions of all corners, face after face.
+std::vector<Point> corner_points(const Mesh& mesh) {
+  std::vector<Point> points;
+  for (const Index v : mesh.face_vertices) points.push_back(mesh.points[v]);
+  return points;
+}
+
+TEST(Laws, LimitMeshesLeaveHoleFacesOut) {
+  for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark}) {
+    Mesh mesh = scheme == Scheme::loop ? test::triangle_grid(5, 4) : test::quad_grid(5, 4);
+    std::vector<Point> expected = corner_points(limit_mesh(mesh, {scheme}, 1).value());
+    constexpr std::ptrdiff_t kHole = 7;  // whose children are the faces 28..31
+    const std::ptrdiff_t size = 4 * static_cast<std::ptrdiff_t>(mesh.face(0).size());
+    expected.erase(expected.begin() + kHole * size, expected.begin() + (kHole + 1) * size);
+    mesh.hole_faces = {static_cast<Index>(kHole)};
+    const Mesh limit = limit_mesh(mesh, {scheme}, 1).value();
+    EXPECT_EQ(corner_points(limit), expected);
+    EXPECT_TRUE(limit.hole_faces.empty());
+    const auto limits = limit_positions(mesh, {scheme}).value();
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      EXPECT_LT(test::max_distance({limit.points[v]}, {limits[v]}), 1e-14);
+    }
+  }
+}
+
 TEST(Laws, MirrorImagesHaveMirroredNormals) {
   test::check("mirror", 20, [] {
     const auto [mesh, rules] = test::any_case(true);
