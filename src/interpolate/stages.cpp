@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include "mesh/wording.hpp"
 
 namespace surpass {
 namespace {
@@ -35,11 +36,14 @@ double incompatibility(const Prepared& prepared, const SingularPart& part, const
 
 std::string numbers(const std::vector<Index>& components) {
   constexpr std::size_t kMost = 20;
-  const std::size_t shown = std::min(kMost, components.size());
-  return fmt::format(
-      "{} {}{}", components.size() == 1 ? "component" : "components",
-      fmt::join(components.begin(), components.begin() + static_cast<std::ptrdiff_t>(shown), ","),
-      shown < components.size() ? ",..." : "");
+  std::vector<std::string> words;
+  for (const Index c : components) words.push_back(std::to_string(c));
+  if (words.size() > kMost) {
+    words.resize(kMost);
+    words.emplace_back("...");
+  }
+  return fmt::format("{} {}", components.size() == 1 ? "component" : "components",
+                     joined(words, ","));
 }
 
 // The component numbers of some singular parts.
@@ -130,7 +134,7 @@ std::string solvers_used(const Solved& solved) {
   };
   for (const BlockOutcome& outcome : solved.surface) add(outcome);
   if (names.empty()) add(solved.curve);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 Result<Solved> solve_in_stages(const Prepared& prepared, const Task& task, const Context& context,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,17 @@ namespace surpass {
 [[nodiscard]] inline std::string counted(std::size_t n, std::string_view one,
                                          std::string_view many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+/// "a, b, c" for the separator ", ".
+[[nodiscard]] inline std::string joined(std::span<const std::string> words,
+                                        std::string_view separator) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (!text.empty()) text += separator;
+    text += word;
+  }
+  return text;
 }
 
 }  // namespace surpass

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "mesh/select.hpp"
+#include "mesh/wording.hpp"
 #include "scheme/catmull_clark.hpp"
 #include "scheme/doo_sabin.hpp"
 #include "scheme/loop.hpp"
@@ -51,7 +52,7 @@ Result<Scheme> scheme_named(std::string_view name) {
   }
   return fail(
       ErrorCode::invalid_argument,
-      fmt::format("there is no scheme \"{}\"; this version has: {}", name, fmt::join(known, ", ")));
+      fmt::format("there is no scheme \"{}\"; this version has: {}", name, joined(known, ", ")));
 }
 
 Result<Boundary> boundary_named(std::string_view name) {
@@ -91,7 +92,7 @@ Result<void> require_suitable(const SubdivisionScheme& scheme, const Topology& t
     }
     return fail(ErrorCode::invalid_argument,
                 fmt::format("{} surfaces have no boundary rule `{}`; they have {}", scheme.title(),
-                            name_of(rules.boundary), fmt::join(known, " and ")));
+                            name_of(rules.boundary), joined(known, " and ")));
   }
   const Index size = scheme.face_size();
   for (Index f = 0; size != 0 && f < topology.face_count(); ++f) {
