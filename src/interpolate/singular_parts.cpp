@@ -56,6 +56,7 @@ std::vector<SingularPart> find_singular_parts(const LimitOperator& op, const Blo
       constexpr double kPresent = 1e-4;  // of r's size; a regular part leaves rounding only
       if (std::abs(largest) < kPresent) continue;
       std::vector<double> null_vector;
+      null_vector.reserve(part.size());
       for (const Index v : part) null_vector.push_back(lost[v] / largest);
       found.push_back({b, std::move(part), std::move(null_vector)});
     }

@@ -37,6 +37,7 @@ double incompatibility(const Prepared& prepared, const SingularPart& part, const
 std::string numbers(const std::vector<Index>& components) {
   constexpr std::size_t kMost = 20;
   std::vector<std::string> words;
+  words.reserve(components.size());
   for (const Index c : components) words.push_back(std::to_string(c));
   if (words.size() > kMost) {
     words.resize(kMost);

@@ -98,7 +98,7 @@ void ObjWriter::choose_channels() {
     note_lost(kFormat, "face channel", channel.name, notes_);
   }
   if (colour_ != nullptr && colour_->storage == Storage::uint8) {
-    notes_.push_back("colours from 0 to 255 are written from 0 to 1, as is usual in OBJ");
+    notes_.emplace_back("colours from 0 to 255 are written from 0 to 1, as is usual in OBJ");
   }
 }
 
