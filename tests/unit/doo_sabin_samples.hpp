@@ -35,7 +35,7 @@ void for_every_sample(Law&& law) {
 inline int affordable_levels(const Mesh& mesh, int most) {
   double corners = mesh.corner_count();
   int levels = 0;
-  while (levels < most && corners < 10000) {
+  while (levels < most && corners < 30000) {
     corners *= 4;
     ++levels;
   }
