@@ -31,6 +31,7 @@ class Predict : public Command {
     if (!loaded) return tl::make_unexpected(loaded.error());
     const Mesh& given = loaded->mesh;
     options_.rules = rules_.choose(given, session);
+    if (options_.solver == Solver::automatic) options_.solver = Solver::chebyshev;
     session.report["solver"] = name_of(options_.solver);
     session.report["tolerance"] = options_.tolerance;
 

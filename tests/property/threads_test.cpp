@@ -55,6 +55,21 @@ TEST(Threads, ConjugateGradientsHaveTheSameBits) {
   }
 }
 
+TEST(Threads, EverySchemeHasTheSameBits) {
+  for (const Scheme scheme : {Scheme::catmull_clark, Scheme::doo_sabin}) {
+    const InterpolateOptions options{.rules = {scheme}, .tolerance = 1e-6};
+    Context context;
+    context.threads = 1;
+    const auto one = interpolate(large_mesh(), options, context);
+    ASSERT_TRUE(one) << describe(one.error());
+    context.threads = 3;
+    const auto many = interpolate(large_mesh(), options, context);
+    ASSERT_TRUE(many);
+    EXPECT_EQ(one->control, many->control) << name_of(scheme);
+    EXPECT_EQ(one->report.final.max, many->report.final.max);
+  }
+}
+
 TEST(Threads, LimitSurfacesHaveTheSameBits) {
   Context context;
   context.threads = 1;
