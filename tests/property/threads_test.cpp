@@ -20,22 +20,21 @@ const Mesh& large_mesh() {
 
 TEST(Threads, InterpolationHasTheSameBits) {
   ASSERT_GT(large_mesh().points.size(), 20000U);
-  for (const Solver solver : {Solver::chebyshev, Solver::richardson}) {
-    for (const Boundary boundary : {Boundary::edge_and_corner, Boundary::hoppe}) {
-      const InterpolateOptions options{
-          .rules = {Scheme::loop, boundary}, .solver = solver, .tolerance = 1e-8};
-      Context context;
-      context.threads = 1;
-      const auto one = interpolate(large_mesh(), options, context);
-      ASSERT_TRUE(one);
-      for (const int threads : {2, 3, 8}) {
-        context.threads = threads;
-        const auto many = interpolate(large_mesh(), options, context);
-        ASSERT_TRUE(many);
-        EXPECT_EQ(one->control, many->control) << threads;
-        EXPECT_EQ(one->report.final.max, many->report.final.max);
-        EXPECT_EQ(one->report.final.mean, many->report.final.mean);
-      }
+  for (const auto& [solver, boundary] : {std::pair{Solver::chebyshev, Boundary::edge_and_corner},
+                                         {Solver::richardson, Boundary::hoppe}}) {
+    const InterpolateOptions options{
+        .rules = {Scheme::loop, boundary}, .solver = solver, .tolerance = 1e-6};
+    Context context;
+    context.threads = 1;
+    const auto one = interpolate(large_mesh(), options, context);
+    ASSERT_TRUE(one);
+    for (const int threads : {2, 3, 8}) {
+      context.threads = threads;
+      const auto many = interpolate(large_mesh(), options, context);
+      ASSERT_TRUE(many);
+      EXPECT_EQ(one->control, many->control) << threads;
+      EXPECT_EQ(one->report.final.max, many->report.final.max);
+      EXPECT_EQ(one->report.final.mean, many->report.final.mean);
     }
   }
 }
@@ -44,7 +43,7 @@ TEST(Threads, ConjugateGradientsHaveTheSameBits) {
   Mesh mesh = large_mesh();
   mesh.creases.clear();
   mesh.corners.clear();
-  const InterpolateOptions options{.solver = Solver::conjugate_gradient, .tolerance = 1e-8};
+  const InterpolateOptions options{.solver = Solver::conjugate_gradient, .tolerance = 1e-6};
   Context context;
   context.threads = 1;
   const auto one = interpolate(mesh, options, context);
