@@ -159,7 +159,7 @@ std::string verdict_text(const Diagnosis& diagnosis) {
         row("", fmt::format("and {} more", diagnosis.refusal_count - diagnosis.refusals.size()));
   }
   std::set<std::string> remedies;
-  for (const Error& refusal : diagnosis.refusals) remedies.insert(remedy(refusal.code));
+  for (const Error& refusal : diagnosis.refusals) remedies.insert(remedy(refusal));
   for (const std::string& sentence : remedies) {
     if (!sentence.empty()) text += row("try", sentence);
   }

@@ -70,7 +70,7 @@ Result<bool> parse(CLI::App& app, Words words) {
 
 /// Adds what to try, if the command has the option for it and it was not tried.
 Error with_remedy(Error error, const CLI::App& app) {
-  const std::string sentence = remedy(error.code);
+  const std::string sentence = remedy(error);
   const std::string option = sentence.substr(0, sentence.find(' '));
   const CLI::Option* known = sentence.empty() ? nullptr : app.get_option_no_throw(option);
   if (known != nullptr && known->count() == 0) error.message += "; " + sentence;

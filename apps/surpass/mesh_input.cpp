@@ -82,14 +82,15 @@ Json mesh_json(const std::string& path, const Mesh& mesh) {
   return json;
 }
 
-std::string remedy(ErrorCode code) {
-  switch (code) {
+std::string remedy(const Error& error) {
+  switch (error.code) {
     case ErrorCode::non_manifold_edge: return "--repair splits such edges";
     case ErrorCode::inconsistent_orientation: return "--repair turns such faces";
     case ErrorCode::repeated_vertex: return "--repair mends such faces";
     case ErrorCode::degenerate_face:
     case ErrorCode::duplicate_face: return "--repair drops such faces";
-    case ErrorCode::unsuitable_for_scheme: return "--triangulate cuts polygons into triangles";
+    case ErrorCode::unsuitable_for_scheme:
+      return error.place.face ? "--triangulate cuts polygons into triangles" : "";
     case ErrorCode::singular: return "--skip-component N leaves component N as it is";
     default: return {};
   }

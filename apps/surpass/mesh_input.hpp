@@ -54,6 +54,6 @@ void add_from(CLI::App& app, Format& format, const std::string& description);
 [[nodiscard]] Json mesh_json(const std::string& path, const Mesh& mesh);
 
 /// What to try on a mesh that was refused with this code ("--repair ..."), or "".
-[[nodiscard]] std::string remedy(ErrorCode code);
+[[nodiscard]] std::string remedy(const Error& error);
 
 }  // namespace surpass::cli
