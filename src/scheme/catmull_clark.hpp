@@ -1,20 +1,25 @@
-// Catmull-Clark subdivision on whole meshes of any polygons: limit operator, refinement, normals.
+// Catmull-Clark subdivision of any polygons. One file a method: catmull_clark_limit.cpp,
+// catmull_clark_refine.cpp (new vertices: the given ones, then one per edge, then one per face),
+// catmull_clark_normals.cpp.
 #pragma once
 
 #include "scheme/subdivision_scheme.hpp"
 
 namespace surpass::catmull_clark {
 
-Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                                     const Context& context);
-
-/// Refined vertices: the given ones, then one per edge, then one per face.
-Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                              const Context& context);
-
-Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
-                                         Boundary boundary, const Context& context);
-
-[[nodiscard]] const SubdivisionScheme& scheme();
+class CatmullClark final : public SubdivisionScheme {
+ public:
+  const char* name() const override { return "catmull-clark"; }
+  const char* title() const override { return "Catmull-Clark"; }
+  [[nodiscard]] Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
+                                                     const Rules& rules,
+                                                     const Context& context) const override;
+  [[nodiscard]] Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
+                                              const Rules& rules,
+                                              const Context& context) const override;
+  [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
+                                                         const Rules& rules,
+                                                         const Context& context) const override;
+};
 
 }  // namespace surpass::catmull_clark

@@ -5,13 +5,6 @@
 namespace surpass::catmull_clark {
 namespace {
 
-// What is known of a row's place in the symmetric form; see limit_operator.hpp.
-struct RowFacts {
-  double weight = 0;
-  double lowest = 0;
-  bool curve = false;
-};
-
 // Interior rows: with d = n (n + 5), diag(d) L is symmetric, and x'Sx is the sum over vertices of
 // (n^2 - 3n) x^2, twice the sum over edges of (x_a + x_b)^2 and four times that over faces of
 // (sum x)^2 / m. So every eigenvalue is at least the smallest (n - 3) / (n + 5), whatever the
@@ -33,33 +26,22 @@ RowFacts facts_of(const FaceRing& ring) {
 
 }  // namespace
 
-Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                                     const Context& context) {
-  const auto sharpness = Sharpness::build(mesh, topology, boundary);
+Result<LimitOperator> CatmullClark::limit_operator(const Mesh& mesh, const Topology& topology,
+                                                   const Rules& rules,
+                                                   const Context& context) const {
+  const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
   const Index n = topology.vertex_count();
-  LimitOperator op;
-  op.symmetric_weight.assign(n, 1.0);
-  op.lowest_eigenvalue.assign(n, 1.0);
-  op.on_curve.assign(n, 1);
+  LimitOperator op(n);
   const VertexRows rows(topology, *sharpness, limit_row, limit_mask);
   op.rows = SparseRows::build(
       context, n, [&](Index v) { return rows.length(v); },
       [&](Index v, std::span<Index> columns, std::span<double> weights) {
         rows.fill(v, columns, weights);
+        if (topology.is_isolated(v)) return;
+        op.note(v, sharpness->is_plain(v) ? surface_facts(topology.valence(v))
+                                          : facts_of(FaceRing::around(topology, *sharpness, v)));
       });
-  parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto v = static_cast<Index>(i);
-      if (topology.is_isolated(v)) continue;
-      const RowFacts facts = sharpness->is_plain(v)
-                                 ? surface_facts(topology.valence(v))
-                                 : facts_of(FaceRing::around(topology, *sharpness, v));
-      op.symmetric_weight[i] = facts.weight;
-      op.lowest_eigenvalue[i] = facts.lowest;
-      op.on_curve[i] = facts.curve ? 1 : 0;
-    }
-  });
   return op;
 }
 

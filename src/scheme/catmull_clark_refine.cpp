@@ -67,9 +67,9 @@ SparseRows stencil(const Topology& topology, const Sharpness& sharpness, const C
 
 }  // namespace
 
-Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                              const Context& context) {
-  const auto sharpness = Sharpness::build(mesh, topology, boundary);
+Result<Refinement> CatmullClark::refinement(const Mesh& mesh, const Topology& topology,
+                                            const Rules& rules, const Context& context) const {
+  const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
   const std::uint64_t corners = std::uint64_t{4} * topology.corner_count();
   if (corners > kNone / 2) {

@@ -139,37 +139,13 @@ Tangents curve_tangents(const FaceRing& ring, const Sector& sector) {
   return t;
 }
 
-// At a fixed vertex the curves leave along their first edges, and a sector of one or two faces
-// tends to the plane between them.
-Tangents corner_tangents(const FaceRing& ring, const Sector& sector) {
-  const std::size_t n = ring.size();
-  Tangents t{Mask(ring.point_count(), 0.0), Mask(ring.point_count(), 0.0)};
-  t.first[1 + sector.begin % n] = 1;
-  t.second[1 + (sector.begin + sector.faces) % n] = 1;
-  t.first[0] = t.second[0] = -1;
-  return t;
-}
-
 }  // namespace
 
 std::vector<Tangents> tangent_masks(const FaceRing& ring) {
   const VertexRule rule = ring.rule();
   if (rule == VertexRule::smooth) return {smooth_tangents(ring)};
   if (rule == VertexRule::dart) return {dart_tangents(ring)};
-  std::vector<Tangents> tangents;
-  for (const Sector& sector : sectors(ring)) {
-    if (rule == VertexRule::crease) {
-      tangents.push_back(curve_tangents(ring, sector));
-      continue;
-    }
-    // There is no tangent plane at a corner of more than two faces: the mode of the faces inside
-    // fades more slowly than the curves. The planes of the control faces stand in for it.
-    const bool plane = sector.faces <= 2;
-    for (std::size_t j = 0; j < (plane ? 1 : sector.faces); ++j) {
-      tangents.push_back(corner_tangents(ring, plane ? sector : Sector{sector.begin + j, 1}));
-    }
-  }
-  return tangents;
+  return sector_tangents(ring, curve_tangents, corner_tangents<FaceRing>);
 }
 
 }  // namespace surpass::catmull_clark

@@ -21,20 +21,23 @@
 
 namespace surpass::doo_sabin {
 
-[[nodiscard]] Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
-                                                   const Rules& rules, const Context& context);
-
-[[nodiscard]] Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
-                                            const Rules& rules, const Context& context);
-
-[[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Rules& rules,
-                                                       const Context& context);
-
-/// The dual of the refined mesh, whose vertices lie on the limit surface. The given vertices'
-/// limits come first. `levels` is at least 1.
-[[nodiscard]] Result<Mesh> dual_limit_mesh(const Mesh& control, const Rules& rules, int levels,
-                                           const Context& context);
-
-[[nodiscard]] const SubdivisionScheme& scheme();
+class DooSabin final : public SubdivisionScheme {
+ public:
+  const char* name() const override { return "doo-sabin"; }
+  const char* title() const override { return "Doo-Sabin"; }
+  [[nodiscard]] Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
+                                                     const Rules& rules,
+                                                     const Context& context) const override;
+  [[nodiscard]] Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
+                                              const Rules& rules,
+                                              const Context& context) const override;
+  [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
+                                                         const Rules& rules,
+                                                         const Context& context) const override;
+  /// From level 1 the dual of the refined mesh, whose vertices lie on the limit surface. The given
+  /// vertices' limits come first.
+  [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                                        const Context& context) const override;
+};
 
 }  // namespace surpass::doo_sabin

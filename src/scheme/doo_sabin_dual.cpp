@@ -122,8 +122,10 @@ Mesh without_face_data(Mesh mesh) {
 
 }  // namespace
 
-Result<Mesh> dual_limit_mesh(const Mesh& control, const Rules& rules, int levels,
-                             const Context& context) {
+Result<Mesh> DooSabin::limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                                  const Context& context) const {
+  // The given mesh itself can be moved; below that, the given vertices have no successors.
+  if (levels <= 0) return SubdivisionScheme::limit_mesh(control, rules, levels, context);
   const auto level = refined_level(without_face_data(control), rules, levels, context);
   if (!level) return tl::make_unexpected(level.error());
   const Dual dual(*level);

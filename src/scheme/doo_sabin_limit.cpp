@@ -5,6 +5,7 @@
 #include "scheme/doo_sabin.hpp"
 #include "scheme/doo_sabin_faces.hpp"
 #include "scheme/doo_sabin_weights.hpp"
+#include "scheme/face_rows.hpp"
 
 namespace surpass::doo_sabin {
 namespace {
@@ -19,47 +20,22 @@ class RowMaker {
 
   // The limit is the mean, over the faces at v, of v's corner points. A vertex that two faces at v
   // share beyond an edge appears once for each.
-  [[nodiscard]] Index smooth_length(Index v) const {
-    Index length = 1;
-    topology_.for_each_outgoing(
-        v, [&](Index h) { length += topology_.face_degree(topology_.face(h)) - 2; });
-    return length;
-  }
-
   void fill_smooth(Index v, std::span<Index> columns, std::span<double> weights) const {
-    Index n = 0;
-    topology_.for_each_outgoing(v, [&](Index) { ++n; });
-    const double share = 1.0 / n;
-    double own = 0;
-    std::size_t k = 1;
-    const auto put = [&](Index w, double weight) {
-      columns[k] = w;
-      weights[k++] = share * weight;
-    };
-    topology_.for_each_outgoing(v, [&](Index h) {
-      const auto w = weights_at(h);
-      own += w[0];
-      Index g = topology_.next(h);
-      put(topology_.tail(g), w[1] + weights_at(topology_.opposite(h))[1]);
-      for (std::size_t j = 2; j + 1 < w.size(); ++j) {
-        g = topology_.next(g);
-        put(topology_.tail(g), w[j]);
-      }
-    });
-    columns[0] = v;
-    weights[0] = share * own;
+    fill_face_row(topology_, v, columns, weights,
+                  [&](Index m, Index j) { return table_.of(m)[j]; });
+    const double share = 1.0 / topology_.faces_at(v);
+    for (double& w : weights) w *= share;
   }
 
   // x'Sx is the sum over faces of x'C x with the face rule C, so it is at least the sum of their
   // smallest eigenvalues times x'x.
-  [[nodiscard]] std::pair<Index, double> smooth_facts(Index v) const {
-    Index n = 0;
+  [[nodiscard]] RowFacts smooth_facts(Index v) const {
     double sum = 0;
     topology_.for_each_outgoing(v, [&](Index h) {
-      ++n;
       sum += table_.lowest_eigenvalue(topology_.face_degree(topology_.face(h)));
     });
-    return {n, sum / n};
+    const double n = topology_.faces_at(v);
+    return {n, sum / n, false};
   }
 
   [[nodiscard]] Terms special_row(Index v) const {
@@ -143,46 +119,43 @@ class RowMaker {
   const WeightTable& table_;
 };
 
+// Curve rows: symmetric with weight 8; Gershgorin's bound is 3/4 less two eighths. Nothing is known
+// of darts and doublets.
+RowFacts special_facts(VertexKind kind) {
+  if (kind == VertexKind::curve) return {8, 1.0 / 2, true};
+  if (kind == VertexKind::kept) return {1, 1, true};
+  return {};
+}
+
 }  // namespace
 
-Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, const Rules& rules,
-                                     const Context& context) {
+Result<LimitOperator> DooSabin::limit_operator(const Mesh& mesh, const Topology& topology,
+                                               const Rules& rules, const Context& context) const {
   const auto layout = Layout::build(mesh, topology, rules.boundary, context);
   if (!layout) return tl::make_unexpected(layout.error());
   const WeightTable table(topology, rules.weights);
   const RowMaker maker(*layout, table);
   const Index n = topology.vertex_count();
 
-  LimitOperator op;
-  op.symmetric_weight.assign(n, 0.0);
-  op.lowest_eigenvalue.assign(n, 0.0);
-  op.on_curve.assign(n, 0);
-  const auto note = [&](Index v, double weight, double lowest, bool curve) {
-    op.symmetric_weight[v] = weight;
-    op.lowest_eigenvalue[v] = lowest;
-    op.on_curve[v] = curve ? 1 : 0;
-  };
+  LimitOperator op(n);
   op.rows = SparseRows::build(
       context, n,
       [&](Index v) -> Index {
-        if (layout->kind(v) == VertexKind::smooth) return maker.smooth_length(v);
+        if (layout->kind(v) == VertexKind::smooth) return face_row_length(topology, v);
         return static_cast<Index>(maker.special_row(v).size());
       },
       [&](Index v, std::span<Index> columns, std::span<double> weights) {
         const VertexKind kind = layout->kind(v);
         if (kind == VertexKind::smooth) {
           maker.fill_smooth(v, columns, weights);
-          const auto [valence, lowest] = maker.smooth_facts(v);
-          note(v, valence, lowest, false);
+          op.note(v, maker.smooth_facts(v));
           return;
         }
         const Terms row = maker.special_row(v);
         for (std::size_t k = 0; k < row.size(); ++k) {
           std::tie(columns[k], weights[k]) = row[k];
         }
-        // Curve rows: symmetric with weight 8; Gershgorin's bound is 3/4 less two eighths.
-        if (kind == VertexKind::curve) note(v, 8, 1.0 / 2, true);
-        if (kind == VertexKind::kept) note(v, 1, 1, true);
+        op.note(v, special_facts(kind));
       });
   return op;
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "scheme/doo_sabin.hpp"
+#include "scheme/tangents.hpp"
 
 namespace surpass::doo_sabin {
 namespace {
@@ -92,13 +93,7 @@ class NormalMaker {
   }
 
   [[nodiscard]] Vector at_vertex(Index v) const {
-    Vector sum = Vector::Zero();
-    topology_.for_each_outgoing(v, [&](Index h) {
-      const Vector next = tail(topology_.next(h)) - tail(h);
-      const Vector previous = tail(topology_.previous(h)) - tail(h);
-      sum += unit(next.cross(previous));
-    });
-    return unit(sum);
+    return Eigen::Map<const Vector>(mean_face_normal(mesh_, topology_, v).data());
   }
 
   const Mesh& mesh_;
@@ -123,8 +118,9 @@ std::vector<Point> site_normals(const Level& level, const std::vector<Site>& sit
   return normals;
 }
 
-Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Rules& rules,
-                                         const Context& context) {
+Result<std::vector<Point>> DooSabin::limit_normals(const Mesh& mesh, const Topology&,
+                                                   const Rules& rules,
+                                                   const Context& context) const {
   Mesh bare;
   bare.points = mesh.points;
   bare.face_offsets = mesh.face_offsets;

@@ -61,7 +61,7 @@ Site site_of_vertex(const Layout& layout, const NewMesh& fresh, Index v) {
 Result<Level> given_level(Mesh mesh, const Rules& rules, const Context& context) {
   auto topology = Topology::build(mesh);
   if (!topology) return tl::make_unexpected(topology.error());
-  if (auto ok = require_suitable(scheme(), *topology, rules); !ok) {
+  if (auto ok = require_suitable(scheme_of(Scheme::doo_sabin), *topology, rules); !ok) {
     return tl::make_unexpected(ok.error());
   }
   Level level;
@@ -113,8 +113,8 @@ Result<Step> refinement_step(const Mesh& mesh, const Layout& layout, Weights fam
   return step;
 }
 
-Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
-                              const Context& context) {
+Result<Refinement> DooSabin::refinement(const Mesh& mesh, const Topology& topology,
+                                        const Rules& rules, const Context& context) const {
   const auto layout = Layout::build(mesh, topology, rules.boundary, context);
   if (!layout) return tl::make_unexpected(layout.error());
   auto step = refinement_step(mesh, *layout, rules.weights, context);

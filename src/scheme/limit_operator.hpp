@@ -12,6 +12,13 @@
 
 namespace surpass {
 
+/// What is known of a row's place in the symmetric form; see the arrays of LimitOperator.
+struct RowFacts {
+  double weight = 0;
+  double lowest = 0;
+  bool curve = false;
+};
+
 /// limit points = rows * control points; each row sums to 1.
 struct LimitOperator {
   SparseRows rows;
@@ -29,6 +36,15 @@ struct LimitOperator {
 
   /// #V: 1 where the row takes part in curves (boundaries, creases), 0 on the smooth surface.
   std::vector<unsigned char> on_curve;
+
+  /// Room for the facts of n vertices that are their own limits.
+  explicit LimitOperator(Index n = 0)
+      : symmetric_weight(n, 1.0), lowest_eigenvalue(n, 1.0), on_curve(n, 1) {}
+  void note(Index v, const RowFacts& facts) {
+    symmetric_weight[v] = facts.weight;
+    lowest_eigenvalue[v] = facts.lowest;
+    on_curve[v] = facts.curve ? 1 : 0;
+  }
 };
 
 /// Rows for every vertex. Fails if the scheme does not take the mesh's faces or its creases.

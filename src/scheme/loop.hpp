@@ -1,19 +1,25 @@
-// Loop subdivision on whole meshes: limit operator, refinement, normals.
+// Loop subdivision. One file a method: loop_limit.cpp, loop_refine.cpp, loop_normals.cpp.
 #pragma once
 
 #include "scheme/subdivision_scheme.hpp"
 
 namespace surpass::loop {
 
-Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                                     const Context& context);
-
-Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                              const Context& context);
-
-Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
-                                         Boundary boundary, const Context& context);
-
-[[nodiscard]] const SubdivisionScheme& scheme();
+class Loop final : public SubdivisionScheme {
+ public:
+  const char* name() const override { return "loop"; }
+  const char* title() const override { return "Loop"; }
+  Index face_size() const override { return 3; }
+  bool has_boundary_rule(Boundary) const override { return true; }
+  [[nodiscard]] Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
+                                                     const Rules& rules,
+                                                     const Context& context) const override;
+  [[nodiscard]] Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
+                                              const Rules& rules,
+                                              const Context& context) const override;
+  [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
+                                                         const Rules& rules,
+                                                         const Context& context) const override;
+};
 
 }  // namespace surpass::loop

@@ -14,13 +14,6 @@ std::vector<double> beta_table(const std::vector<Index>& valences) {
   return table;
 }
 
-// What is known of a row's place in the symmetric form; see limit_operator.hpp.
-struct RowFacts {
-  double weight = 0;
-  double lowest = 0;
-  bool curve = false;
-};
-
 // Interior rows: diag(n / (1 - beta)) L is symmetric, and x'Sx is half the sum over faces of
 // (x_a + x_b + x_c)^2 plus the sum of n (beta / (1 - beta) - 1/2) x^2, so every eigenvalue is at
 // least the smallest (3 beta - 1) / 2. Rows that leave vertices out form a principal submatrix.
@@ -49,9 +42,9 @@ RowFacts facts_of(const LoopRing& ring, const std::vector<double>& mask) {
 
 }  // namespace
 
-Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                                     const Context& context) {
-  const auto sharpness = Sharpness::build(mesh, topology, boundary);
+Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& topology,
+                                           const Rules& rules, const Context& context) const {
+  const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
 
   const Index n = topology.vertex_count();
@@ -64,17 +57,9 @@ Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
   });
   const std::vector<double> betas = beta_table(valence);
 
-  LimitOperator op;
-  op.symmetric_weight.assign(n, 1.0);
-  op.lowest_eigenvalue.assign(n, 1.0);
-  op.on_curve.assign(n, 1);
-  const auto note = [&](Index v, const RowFacts& facts) {
-    op.symmetric_weight[v] = facts.weight;
-    op.lowest_eigenvalue[v] = facts.lowest;
-    op.on_curve[v] = facts.curve ? 1 : 0;
-  };
+  LimitOperator op(n);
   const auto special_mask = [&](Index v) {
-    return limit_mask(LoopRing::around(topology, *sharpness, boundary, v));
+    return limit_mask(LoopRing::around(topology, *sharpness, rules.boundary, v));
   };
   const auto used = [](const std::vector<double>& mask) {
     return static_cast<Index>(
@@ -100,10 +85,10 @@ Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
           std::size_t k = 1;
           topology.for_each_spoke(v, [&](Index w, Index) { columns[k++] = w; });
           std::fill(weights.begin() + 1, weights.end(), (1 - b) / valence[v]);
-          note(v, surface_facts(valence[v], b));
+          op.note(v, surface_facts(valence[v], b));
           return;
         }
-        const LoopRing ring = LoopRing::around(topology, *sharpness, boundary, v);
+        const LoopRing ring = LoopRing::around(topology, *sharpness, rules.boundary, v);
         const std::vector<double> mask = limit_mask(ring);
         std::size_t k = 0;
         for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -111,7 +96,7 @@ Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
           columns[k] = i == 0 ? v : ring.spokes[i - 1];
           weights[k++] = mask[i];
         }
-        note(v, facts_of(ring, mask));
+        op.note(v, facts_of(ring, mask));
       });
   return op;
 }

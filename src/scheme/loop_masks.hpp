@@ -52,7 +52,9 @@ struct LoopRing : Ring {
 [[nodiscard]] double boundary_edge_share(Boundary boundary, bool first_regular,
                                          bool second_regular);
 
-/// The ring must be settled.
+/// Ready for tangent_masks.
+[[nodiscard]] inline bool is_settled(const LoopRing& ring) { return ring.is_settled(); }
+
 [[nodiscard]] std::vector<Tangents> tangent_masks(const LoopRing& ring);
 
 }  // namespace surpass::loop

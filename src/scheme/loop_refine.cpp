@@ -92,14 +92,14 @@ SparseRows stencil(const Topology& topology, const Sharpness& sharpness, Boundar
 
 }  // namespace
 
-Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, Boundary boundary,
-                              const Context& context) {
-  if (boundary == Boundary::interior && topology.boundary_edge_count() > 0) {
+Result<Refinement> Loop::refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                                    const Context& context) const {
+  if (rules.boundary == Boundary::interior && topology.boundary_edge_count() > 0) {
     return fail(ErrorCode::invalid_argument,
                 "the boundary rule `interior` defines limit points of the given vertices only; "
                 "choose edge-only, edge-and-corner or hoppe to subdivide");
   }
-  const auto sharpness = Sharpness::build(mesh, topology, boundary);
+  const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
   const std::uint64_t corners = std::uint64_t{4} * topology.corner_count();
   if (corners > kNone / 2) {
@@ -108,7 +108,7 @@ Result<Refinement> refinement(const Mesh& mesh, const Topology& topology, Bounda
   }
 
   Refinement refined;
-  refined.stencil = stencil(topology, *sharpness, boundary, context);
+  refined.stencil = stencil(topology, *sharpness, rules.boundary, context);
   const Index n = topology.vertex_count();
   const Index faces = topology.face_count();
   Mesh& out = refined.mesh;

@@ -87,7 +87,8 @@ Tangents dart_tangents(const LoopRing& ring) {
 }
 
 // Between two sharp spokes of a smooth curve: along the curve, and across it into the sector.
-Tangents curve_tangents(const LoopRing& ring, std::size_t begin, std::size_t faces) {
+Tangents curve_tangents(const LoopRing& ring, const Sector& sector) {
+  const auto [begin, faces] = sector;
   const std::size_t n = ring.size();
   const bool extraordinary = ring.is_hoppe_curve() && !ring.center_regular;
   // A point on a sharp spoke keeps this share of the neighbour and takes the rest from the center.
@@ -123,38 +124,13 @@ Tangents curve_tangents(const LoopRing& ring, std::size_t begin, std::size_t fac
   return t;
 }
 
-// At a fixed vertex the curves leave along their first edges, and a sector of one or two faces
-// tends to the plane between them.
-Tangents corner_tangents(const LoopRing& ring, std::size_t begin, std::size_t faces) {
-  const std::size_t n = ring.size();
-  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0)};
-  t.first[1 + begin % n] = 1;
-  t.second[1 + (begin + faces) % n] = 1;
-  t.first[0] = t.second[0] = -1;
-  return t;
-}
-
 }  // namespace
 
 std::vector<Tangents> tangent_masks(const LoopRing& ring) {
   const VertexRule rule = ring.rule();
   if (rule == VertexRule::smooth) return {smooth_tangents(ring)};
   if (rule == VertexRule::dart) return {dart_tangents(ring)};
-  std::vector<Tangents> tangents;
-  for (const auto [begin, faces] : sectors(ring)) {
-    if (rule == VertexRule::crease) {
-      tangents.push_back(curve_tangents(ring, begin, faces));
-    } else if (faces <= 2) {
-      tangents.push_back(corner_tangents(ring, begin, faces));
-    } else {
-      // Loop's rules have no tangent plane at a corner of more faces: the mode of the faces inside
-      // fades more slowly than the curves. The planes of the control faces stand in for it.
-      for (std::size_t j = 0; j < faces; ++j) {
-        tangents.push_back(corner_tangents(ring, begin + j, 1));
-      }
-    }
-  }
-  return tangents;
+  return sector_tangents(ring, curve_tangents, corner_tangents<LoopRing>);
 }
 
 }  // namespace surpass::loop

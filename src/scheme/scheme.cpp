@@ -24,12 +24,15 @@ constexpr std::array kBoundaries = {Boundary::edge_only, Boundary::edge_and_corn
 }  // namespace
 
 const SubdivisionScheme& scheme_of(Scheme scheme) {
+  static const loop::Loop loop;
+  static const catmull_clark::CatmullClark catmull_clark;
+  static const doo_sabin::DooSabin doo_sabin;
   switch (scheme) {
     case Scheme::loop: break;
-    case Scheme::catmull_clark: return catmull_clark::scheme();
-    case Scheme::doo_sabin: return doo_sabin::scheme();
+    case Scheme::catmull_clark: return catmull_clark;
+    case Scheme::doo_sabin: return doo_sabin;
   }
-  return loop::scheme();
+  return loop;
 }
 
 const char* name_of(Scheme scheme) { return scheme_of(scheme).name(); }

@@ -18,7 +18,9 @@ class SubdivisionScheme {
 
   /// Vertices that each face must have; 0 for any number.
   [[nodiscard]] virtual Index face_size() const { return 0; }
-  [[nodiscard]] virtual bool has_boundary_rule(Boundary boundary) const = 0;
+  [[nodiscard]] virtual bool has_boundary_rule(Boundary boundary) const {
+    return boundary == Boundary::edge_only || boundary == Boundary::edge_and_corner;
+  }
 
   // The rules and the faces have been checked when these are called; what else a scheme refuses
   // (a kind of crease, say) it finds by itself.

@@ -43,7 +43,7 @@ Point normal_of(const Mesh& mesh, const NormalMasks& masks) {
   return to_point(unit(sum));
 }
 
-Point normal_at_bowtie(const Mesh& mesh, const Topology& topology, Index v) {
+Point mean_face_normal(const Mesh& mesh, const Topology& topology, Index v) {
   Vector sum = Vector::Zero();
   topology.for_each_outgoing(v, [&](Index h) {
     const Vector a = position(mesh, topology.head(h)) - position(mesh, v);

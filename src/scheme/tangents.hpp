@@ -4,10 +4,11 @@
 #include <surpass/mesh.hpp>
 #include <surpass/topology.hpp>
 
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "parallel/parallel.hpp"
+#include "scheme/ring.hpp"
 #include "scheme/settle.hpp"
 
 namespace surpass {
@@ -27,11 +28,52 @@ struct NormalMasks {
   std::vector<Tangents> sectors;
 };
 
+/// Of a ring that is_settled() and tangent_masks() understand, over the mesh vertices `columns`.
+template <class R>
+[[nodiscard]] NormalMasks normal_masks(std::vector<Index> columns, const R& ring) {
+  if (is_settled(ring)) return {std::move(columns), {}, tangent_masks(ring)};
+  auto settled = settle(ring, [](const R& r) { return is_settled(r); });
+  return {std::move(columns), std::move(settled.weights), tangent_masks(settled.ring)};
+}
+
+/// One pair of tangents, or several, for each sector of a crease or corner ring: `curve` makes
+/// those between the sharp spokes of a smooth curve, `corner` those at a fixed vertex.
+template <class R, class Curve, class CornerPlane>
+[[nodiscard]] std::vector<Tangents> sector_tangents(const R& ring, Curve&& curve,
+                                                    CornerPlane&& corner) {
+  std::vector<Tangents> tangents;
+  for (const Sector& sector : sectors(ring)) {
+    if (ring.rule() == VertexRule::crease) {
+      tangents.push_back(curve(ring, sector));
+      continue;
+    }
+    // There is no tangent plane at a corner of more than two faces: the mode of the faces inside
+    // fades more slowly than the curves. The planes of the control faces stand in for it.
+    const bool plane = sector.faces <= 2;
+    for (std::size_t j = 0; j < (plane ? 1 : sector.faces); ++j) {
+      tangents.push_back(corner(ring, plane ? sector : Sector{sector.begin + j, 1}));
+    }
+  }
+  return tangents;
+}
+
+/// At a fixed vertex the curves leave along their first edges, and a sector of one or two faces
+/// tends to the plane between them. Points of the ring are center, spokes, others.
+template <class R>
+[[nodiscard]] Tangents corner_tangents(const R& ring, const Sector& sector) {
+  const std::size_t n = ring.size();
+  Tangents t{Mask(ring.point_count(), 0.0), Mask(ring.point_count(), 0.0)};
+  t.first[1 + sector.begin % n] = 1;
+  t.second[1 + (sector.begin + sector.faces) % n] = 1;
+  t.first[0] = t.second[0] = -1;
+  return t;
+}
+
 /// The normalised mean of the sectors' normals; zero where no tangents differ.
 [[nodiscard]] Point normal_of(const Mesh& mesh, const NormalMasks& masks);
 
-/// Each fan of a bow-tie is a corner of its own: the normalised mean of the faces' normals there.
-[[nodiscard]] Point normal_at_bowtie(const Mesh& mesh, const Topology& topology, Index v);
+/// The normalised mean of the normals of the faces at v.
+[[nodiscard]] Point mean_face_normal(const Mesh& mesh, const Topology& topology, Index v);
 
 /// masks_at(v) gives the NormalMasks of a vertex that is neither isolated nor a bow-tie.
 template <class MasksAt>
@@ -42,7 +84,8 @@ template <class MasksAt>
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<Index>(i);
       if (topology.is_isolated(v)) continue;
-      normals[i] = topology.is_bowtie(v) ? normal_at_bowtie(mesh, topology, v)
+      // Each fan of a bow-tie is a corner of its own.
+      normals[i] = topology.is_bowtie(v) ? mean_face_normal(mesh, topology, v)
                                          : normal_of(mesh, masks_at(v));
     }
   });
