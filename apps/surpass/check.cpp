@@ -1,5 +1,4 @@
 // surpass check CONTROL --against GIVEN
-#include "arguments.hpp"
 #include "command.hpp"
 #include "evaluator.hpp"
 #include "mesh_input.hpp"
@@ -13,21 +12,21 @@ namespace {
 
 class Check : public Command {
  public:
-  void define(CLI::App& app) override {
-    app.add_option("CONTROL", control_path_, "The control mesh; '-' is the standard input")
-        ->required();
-    app.add_option("--against", given_path_,
-                   "The mesh whose vertices its limit surface shall pass through, vertex i at "
-                   "vertex i; '-' is the standard input")
-        ->required()
-        ->type_name("GIVEN")
-        ->group("Input");
-    add_from(app, from_, "Format of the input that is '-'");
-    given_mending_.define(app);
-    rules_.define(app);
-    add_tolerance(app, tolerance_);
-    add_oracle(app, oracle_);
-    app.footer(
+  void define(Options& options) override {
+    options.add("CONTROL", control_path_, "The control mesh; '-' is the standard input").required();
+    options
+        .add("--against", given_path_,
+             "The mesh whose vertices its limit surface shall pass through, vertex i at "
+             "vertex i; '-' is the standard input")
+        .required()
+        .type_name("GIVEN")
+        .group("Input");
+    add_from(options, from_, "Format of the input that is '-'");
+    given_mending_.define(options);
+    rules_.define(options);
+    add_tolerance(options, tolerance_);
+    add_oracle(options, oracle_);
+    options.examples(
         "Mending options apply to GIVEN; repeat those that `interpolate` was given.\n"
         "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n"
         "Exit code 0 if the error is within the tolerance, else 4.\n\n"

@@ -11,8 +11,7 @@
 #include <memory>
 #include <span>
 
-#include <CLI/App.hpp>
-
+#include "options.hpp"
 #include "session.hpp"
 
 namespace surpass::cli {
@@ -24,8 +23,8 @@ class Command {
   Command& operator=(const Command&) = delete;
   virtual ~Command() = default;
 
-  /// Declares arguments and options; CLI11 stores their values in members of the derived class.
-  virtual void define(CLI::App& app) = 0;
+  /// Declares arguments and options; parsing stores their values in members of the derived class.
+  virtual void define(Options& options) = 0;
 
   /// Does the work. An error becomes a sentence on stderr, "failure" in the report, and an exit
   /// code; what was learnt before it stays in session.report.

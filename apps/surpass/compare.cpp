@@ -1,7 +1,6 @@
 // surpass compare A B
 #include <surpass/quality.hpp>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -31,18 +30,19 @@ std::string table(const Deviation& d) {
 
 class Compare : public Command {
  public:
-  void define(CLI::App& app) override {
-    app.add_option("A", a_, "The first surface; '-' is the standard input")->required();
-    app.add_option("B", b_, "The second surface; '-' is the standard input")->required();
-    add_from(app, from_, "Format of the input that is '-'");
-    app.add_option("--accuracy", accuracy_,
-                   "How near the found maximum is to its proven bound, relative to the largest "
-                   "side of A's bounding box (1e-9 to 1)")
-        ->check(in_range(1e-9, 1.0))
-        ->type_name("X")
-        ->capture_default_str()
-        ->group("Distance");
-    app.footer(
+  void define(Options& options) override {
+    options.add("A", a_, "The first surface; '-' is the standard input").required();
+    options.add("B", b_, "The second surface; '-' is the standard input").required();
+    add_from(options, from_, "Format of the input that is '-'");
+    options
+        .add("--accuracy", accuracy_,
+             "How near the found maximum is to its proven bound, relative to the largest "
+             "side of A's bounding box (1e-9 to 1)")
+        .in_range(1e-9, 1.0)
+        .type_name("X")
+        .default_text(fmt::format("{}", accuracy_))
+        .group("Distance");
+    options.examples(
         "Distances are from triangle to triangle, in the units of the files; polygons are cut\n"
         "into triangles. 'at most' is a proven bound of the maximum.\n\n"
         "Examples:\n"

@@ -9,10 +9,10 @@ namespace {
 
 class Convert : public Command {
  public:
-  void define(CLI::App& app) override {
-    input_.define(app, "IN", "The mesh to read");
-    output_.define(app, "OUT", "The file to write");
-    app.footer(
+  void define(Options& options) override {
+    input_.define(options, "IN", "The mesh to read");
+    output_.define(options, "OUT", "The file to write");
+    options.examples(
         "What the output's format cannot hold is said on stderr.\n\n"
         "Examples:\n"
         "  surpass convert scan.stl scan.ply --single\n"

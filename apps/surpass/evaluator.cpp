@@ -8,10 +8,11 @@
 
 namespace surpass::cli {
 
-void add_oracle(CLI::App& app, bool& oracle) {
-  app.add_flag("--oracle", oracle,
-               "Judge by OpenSubdiv's evaluator too; for edge-only and edge-and-corner")
-      ->group("Certificate");
+void add_oracle(Options& options, bool& oracle) {
+  options
+      .flag("--oracle", oracle,
+            "Judge by OpenSubdiv's evaluator too; for edge-only and edge-and-corner")
+      .group("Certificate");
 }
 
 Result<void> check_oracle(bool oracle, const Rules& rules) {

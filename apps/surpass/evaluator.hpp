@@ -3,14 +3,13 @@
 
 #include <surpass/quality.hpp>
 
-#include <CLI/App.hpp>
-
+#include "options.hpp"
 #include "session.hpp"
 
 namespace surpass::cli {
 
 /// --oracle.
-void add_oracle(CLI::App& app, bool& oracle);
+void add_oracle(Options& options, bool& oracle);
 
 /// Fails early where --oracle cannot be served: not built in, or a rule that OpenSubdiv lacks.
 [[nodiscard]] Result<void> check_oracle(bool oracle, const Rules& rules);

@@ -7,63 +7,9 @@
 #include <surpass/oracle.hpp>
 #endif
 
-#include <sstream>
-
 #include <fmt/format.h>
 
 namespace surpass::cli {
-
-namespace {
-
-constexpr std::size_t kNameColumn = 32;
-constexpr std::size_t kLineWidth = 98;
-
-/// `text` broken into lines that start at kNameColumn; the first goes on where `head` ends.
-std::string in_columns(std::string head, const std::string& text) {
-  const std::string indent(kNameColumn, ' ');
-  if (head.size() + 2 > kNameColumn) {
-    head += "\n" + indent;
-  } else {
-    head.resize(kNameColumn, ' ');
-  }
-  std::istringstream words(text);
-  std::size_t column = kNameColumn;
-  for (std::string word; words >> word; column += word.size() + 1) {
-    if (column + word.size() > kLineWidth) {
-      head += "\n" + indent;
-      column = kNameColumn;
-    }
-    head += (column == kNameColumn ? "" : " ") + word;
-  }
-  return head + "\n";
-}
-
-}  // namespace
-
-std::string HelpFormatter::make_option(const CLI::Option* option, bool positional) const {
-  std::string head = "  " + (positional ? option->get_name(true) : option->get_name(false, true));
-  const std::string type = option->get_type_name();
-  if (!positional && !type.empty()) head += " " + type;
-  std::string text = option->get_description();
-  if (!option->get_default_str().empty()) text += " [default: " + option->get_default_str() + "]";
-  if (!positional && option->get_required()) text += " (required)";
-  return in_columns(head, text);
-}
-
-std::string HelpFormatter::make_description(const CLI::App* app) const {
-  return app->get_name() + ": " + app->get_description() + "\n\n";
-}
-
-std::string HelpFormatter::make_footer(const CLI::App* app) const {
-  return "\n" + app->get_footer();
-}
-
-std::string help_text(const CLI::App& app) {
-  std::string text = app.help();
-  // CLI11 puts two empty lines between groups.
-  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
-  return text;
-}
 
 std::string overview() {
   std::string text =

@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "anatomy.hpp"
-#include "arguments.hpp"
 #include "command.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -13,13 +12,14 @@ namespace {
 
 class Inspect : public Command {
  public:
-  void define(CLI::App& app) override {
-    input_.define(app, "MESH", "The mesh to look at");
-    add_choice(app, "--scheme", scheme_, all_schemes(),
-               "The scheme that shall accept the mesh; by default loop for triangles and "
-               "catmull-clark for other faces")
-        ->group("Surface");
-    app.footer(
+  void define(Options& options) override {
+    input_.define(options, "MESH", "The mesh to look at");
+    options
+        .choice("--scheme", scheme_, all_schemes(),
+                "The scheme that shall accept the mesh; by default loop for triangles and "
+                "catmull-clark for other faces")
+        .group("Surface");
+    options.examples(
         "Exit code 0 if the mesh would be accepted, 3 if it would be refused; all is printed\n"
         "before. Mending options show what they would do.\n\n"
         "Examples:\n"

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "evaluator.hpp"
 #include "levels.hpp"
@@ -24,7 +23,7 @@ namespace {
 
 class Interpolate : public Command {
  public:
-  void define(CLI::App& app) override;
+  void define(Options& options) override;
   Result<void> run(Session& session) override;
 
  private:
@@ -60,46 +59,52 @@ constexpr char kExamples[] =
     "      --report run.json\n"
     "  cat given.off | surpass interpolate - -o - > control.off\n";
 
-void Interpolate::define(CLI::App& app) {
-  input_.define(app, "GIVEN", "The mesh whose vertices the surface shall pass through");
-  output_.define(app, "-o,--output", "The control mesh");
-  rules_.define(app);
-  app.add_option("--surface", surface_path_,
-                 "Also write the limit surface: the control mesh refined and moved to the limit")
-      ->type_name("FILE")
-      ->group("Surface");
-  add_levels(app, levels_, "Refinement steps of --surface")->group("Surface");
-  add_solver_options(app, options_);
-  app.add_option("--max-iterations", options_.max_iterations,
-                 "Most evaluations of the limit, for curves and surface each")
-      ->check(in_range(1U, 1000000000U))
-      ->type_name("N")
-      ->capture_default_str()
-      ->group("Solver");
-  app.add_flag("--direct", options_.direct,
-               "Do exactly the sweeps of the a-priori bound, without testing in between (see "
-               "surpass predict); richardson and chebyshev")
-      ->group("Solver");
-  app.add_flag("--history", options_.full_history,
-               "Keep every iteration in the report; richardson always does")
-      ->group("Solver");
-  app.add_option("--only", only_path_,
-                 "Interpolate only the vertices that this file lists (numbers from 0, white space "
-                 "between, # comments); the others stay as given")
-      ->type_name("FILE")
-      ->group("Solver");
-  app.add_option(
-         "--skip-component", options_.skip_components,
-         "Leave these connected components of the control mesh as given (numbers from 0, as "
-         "an error names them, with commas between)")
-      ->delimiter(',')
-      ->type_name("N,...")
-      ->group("Solver");
-  app.add_flag("--keep-best", keep_best_,
-               "Write the mesh even if the tolerance was not reached; the exit code stays 4")
-      ->group("Output");
-  add_oracle(app, oracle_);
-  app.footer(kExamples);
+void Interpolate::define(Options& options) {
+  input_.define(options, "GIVEN", "The mesh whose vertices the surface shall pass through");
+  output_.define(options, "-o,--output", "The control mesh");
+  rules_.define(options);
+  options
+      .add("--surface", surface_path_,
+           "Also write the limit surface: the control mesh refined and moved to the limit")
+      .type_name("FILE")
+      .group("Surface");
+  add_levels(options, levels_, "Refinement steps of --surface").group("Surface");
+  add_solver_options(options, options_);
+  options
+      .add("--max-iterations", options_.max_iterations,
+           "Most evaluations of the limit, for curves and surface each")
+      .in_range(1, 1000000000)
+      .type_name("N")
+      .default_text(std::to_string(options_.max_iterations))
+      .group("Solver");
+  options
+      .flag("--direct", options_.direct,
+            "Do exactly the sweeps of the a-priori bound, without testing in between (see "
+            "surpass predict); richardson and chebyshev")
+      .group("Solver");
+  options
+      .flag("--history", options_.full_history,
+            "Keep every iteration in the report; richardson always does")
+      .group("Solver");
+  options
+      .add("--only", only_path_,
+           "Interpolate only the vertices that this file lists (numbers from 0, white space "
+           "between, # comments); the others stay as given")
+      .type_name("FILE")
+      .group("Solver");
+  options
+      .add("--skip-component", options_.skip_components,
+           "Leave these connected components of the control mesh as given (numbers from 0, as "
+           "an error names them, with commas between)")
+      .comma_separated()
+      .type_name("N,...")
+      .group("Solver");
+  options
+      .flag("--keep-best", keep_best_,
+            "Write the mesh even if the tolerance was not reached; the exit code stays 4")
+      .group("Output");
+  add_oracle(options, oracle_);
+  options.examples(kExamples);
 }
 
 Result<void> Interpolate::run(Session& session) {

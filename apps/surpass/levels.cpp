@@ -2,16 +2,13 @@
 
 #include <cmath>
 
-#include "arguments.hpp"
-
 namespace surpass::cli {
 
-CLI::Option* add_levels(CLI::App& app, int& levels, const std::string& description) {
-  return app
-      .add_option("--levels", levels, description + " (0 to 10; each makes four faces of one)")
-      ->check(in_range(0, 10))
-      ->type_name("N")
-      ->default_str(std::to_string(levels));
+Option add_levels(Options& options, int& levels, const std::string& description) {
+  return options.add("--levels", levels, description + " (0 to 10; each makes four faces of one)")
+      .in_range(0, 10)
+      .type_name("N")
+      .default_text(std::to_string(levels));
 }
 
 Result<void> check_levels(const Mesh& mesh, int levels) {

@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include <CLI/App.hpp>
+#include "options.hpp"
 
 namespace surpass::cli {
 
-CLI::Option* add_levels(CLI::App& app, int& levels, const std::string& description);
+Option add_levels(Options& options, int& levels, const std::string& description);
 
 /// Fails where the refined mesh would have more than 2^31 face corners.
 [[nodiscard]] Result<void> check_levels(const Mesh& mesh, int levels);

@@ -2,14 +2,13 @@
 #include <surpass/io.hpp>
 #include <surpass/version.hpp>
 
-#include <algorithm>
 #include <new>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "help.hpp"
 #include "mesh_input.hpp"
 #include "signals.hpp"
+#include "spelling.hpp"
 
 namespace surpass::cli {
 
@@ -17,28 +16,29 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-struct CommonOptions {
+struct Wishes {
   bool quiet = false;
   bool verbose = false;
 };
 
-void define_common(CLI::App& app, CommonOptions& options, Session& session) {
-  app.set_help_flag("--help,-h", "Print this text")->group("General");
-  app.add_option("--report", session.report_path,
-                 "Write what was found and done as JSON (docs/report.schema.json)")
-      ->type_name("FILE.json")
-      ->group("General");
-  app.add_option("--threads", session.context.threads,
-                 "Number of threads, 0 for all cores; results do not depend on it")
-      ->check(in_range(0, 1024))
-      ->type_name("N")
-      ->default_str("0")
-      ->group("General");
-  CLI::Option* quiet =
-      app.add_flag("--quiet,-q", options.quiet, "Say nothing but errors")->group("General");
-  app.add_flag("--verbose,-v", options.verbose, "Also say on stderr how long each stage took")
-      ->excludes(quiet)
-      ->group("General");
+void define_common(Options& options, Wishes& wishes, Session& session) {
+  options
+      .add("--report", session.report_path,
+           "Write what was found and done as JSON (docs/report.schema.json)")
+      .type_name("FILE.json")
+      .group("General");
+  options
+      .add("--threads", session.context.threads,
+           "Number of threads, 0 for all cores; results do not depend on it")
+      .in_range(0, 1024)
+      .type_name("N")
+      .default_text("0")
+      .group("General");
+  Option quiet =
+      options.flag("--quiet,-q", wishes.quiet, "Say nothing but errors").group("General");
+  options.flag("--verbose,-v", wishes.verbose, "Also say on stderr how long each stage took")
+      .excludes(quiet)
+      .group("General");
 }
 
 /// Prints data, or says why it cannot.
@@ -49,31 +49,11 @@ int print_out(const std::string& text, Console& console) {
   return exit_status(written.error().code);
 }
 
-/// Fills the options from `words`. True if help was asked for.
-Result<bool> parse(CLI::App& app, Words words) {
-  if (const auto known = refuse_unknown_options(app, words); !known) {
-    for (const std::string& word : words) {
-      if (word == "--help" || word == "-h") return true;
-    }
-    return tl::make_unexpected(known.error());
-  }
-  try {
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
-    app.parse(std::move(words));
-  } catch (const CLI::CallForHelp&) {
-    return true;
-  } catch (const CLI::ParseError& error) {
-    return fail(ErrorCode::invalid_argument, error.what());
-  }
-  return false;
-}
-
 /// Adds what to try, if the command has the option for it and it was not tried.
-Error with_remedy(Error error, const CLI::App& app) {
+Error with_remedy(Error error, const Options& options) {
   const std::string sentence = remedy(error);
-  const std::string option = sentence.substr(0, sentence.find(' '));
-  const CLI::Option* known = sentence.empty() ? nullptr : app.get_option_no_throw(option);
-  if (known != nullptr && known->count() == 0) error.message += "; " + sentence;
+  const bool offered = options.offers(sentence.substr(0, sentence.find(' ')));
+  if (offered) error.message += "; " + sentence;
   return error;
 }
 
@@ -90,7 +70,7 @@ Result<void> run_guarded(Command& command, Session& session) {
 }
 
 /// Runs the command and reports its outcome; the exit code.
-int execute(Command& command, const CLI::App& app, Session& session) {
+int execute(Command& command, const Options& options, Session& session) {
   Result<void> outcome = session.timed("total", [&] { return run_guarded(command, session); });
   if (!outcome && outcome.error().code == ErrorCode::cancelled) {
     // The report is not written either.
@@ -98,7 +78,7 @@ int execute(Command& command, const CLI::App& app, Session& session) {
     return exit_status(ErrorCode::cancelled);
   }
   if (!outcome) {
-    outcome = tl::make_unexpected(with_remedy(outcome.error(), app));
+    outcome = tl::make_unexpected(with_remedy(outcome.error(), options));
     session.console.error(describe(outcome.error()));
   }
   session.tell_times();
@@ -116,22 +96,21 @@ int run_command(const CommandEntry& entry, const Words& words) {
   session.report["command"] = entry.name;
 
   const std::string name = fmt::format("surpass {}", entry.name);
-  CLI::App app{entry.summary, name};
-  app.formatter(std::make_shared<HelpFormatter>());
+  Options options(name, entry.summary);
   const std::unique_ptr<Command> command = entry.make();
-  CommonOptions options;
-  command->define(app);
-  define_common(app, options, session);
+  Wishes wishes;
+  command->define(options);
+  define_common(options, wishes, session);
 
-  const Result<bool> help = parse(app, words);
+  const Result<bool> help = options.parse(words);
   if (!help) {
     session.console.error(pointing_to_help(help.error().message, name));
     return exit_status(help.error().code);
   }
-  if (*help) return print_out(help_text(app), session.console);
-  if (options.quiet) session.console.set_loudness(Loudness::quiet);
-  if (options.verbose) session.console.set_loudness(Loudness::verbose);
-  return execute(*command, app, session);
+  if (*help) return print_out(options.help(), session.console);
+  if (wishes.quiet) session.console.set_loudness(Loudness::quiet);
+  if (wishes.verbose) session.console.set_loudness(Loudness::verbose);
+  return execute(*command, options, session);
 }
 
 int unknown_command(const std::string& word, Console& console) {

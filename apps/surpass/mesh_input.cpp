@@ -3,24 +3,24 @@
 #include <surpass/repair.hpp>
 #include <surpass/topology.hpp>
 
-#include "arguments.hpp"
-
 namespace surpass::cli {
 
-void Mending::define(CLI::App& app) {
-  app.add_flag("--repair", repair_,
-               "Drop degenerate and repeated faces, turn faces so that neighbours agree, and split "
-               "what is still non-manifold")
-      ->group("Mending");
-  app.add_option("--weld", weld_,
-                 "First merge vertices closer than EPS times the largest side of the bounding box; "
-                 "0 merges equal coordinates only")
-      ->check(in_range(0.0, 1.0))
-      ->type_name("EPS")
-      ->group("Mending");
-  app.add_flag("--triangulate", triangulate_,
-               "Last cut polygons into triangles, without new vertices")
-      ->group("Mending");
+void Mending::define(Options& options) {
+  options
+      .flag("--repair", repair_,
+            "Drop degenerate and repeated faces, turn faces so that neighbours agree, and split "
+            "what is still non-manifold")
+      .group("Mending");
+  options
+      .add("--weld", weld_,
+           "First merge vertices closer than EPS times the largest side of the bounding box; "
+           "0 merges equal coordinates only")
+      .in_range(0.0, 1.0)
+      .type_name("EPS")
+      .group("Mending");
+  options
+      .flag("--triangulate", triangulate_, "Last cut polygons into triangles, without new vertices")
+      .group("Mending");
 }
 
 Result<void> Mending::apply(Mesh& mesh, Session& session) const {
@@ -41,10 +41,11 @@ Result<void> Mending::apply(Mesh& mesh, Session& session) const {
   return {};
 }
 
-void MeshInput::define(CLI::App& app, const std::string& name, const std::string& description) {
-  app.add_option(name, path_, description + "; '-' is the standard input")->required();
-  add_from(app, format_, "Format of the input, for '-' or to overrule the file's bytes and name");
-  mending_.define(app);
+void MeshInput::define(Options& options, const std::string& name, const std::string& description) {
+  options.add(name, path_, description + "; '-' is the standard input").required();
+  add_from(options, format_,
+           "Format of the input, for '-' or to overrule the file's bytes and name");
+  mending_.define(options);
 }
 
 Result<LoadedMesh> MeshInput::load(Session& session) const {
@@ -56,10 +57,10 @@ Result<LoadedMesh> MeshInput::load(Session& session) const {
   return loaded;
 }
 
-void add_from(CLI::App& app, Format& format, const std::string& description) {
-  add_choice(app, "--from", format, {Format::obj, Format::ply, Format::off, Format::stl},
-             description)
-      ->group("Input");
+void add_from(Options& options, Format& format, const std::string& description) {
+  options
+      .choice("--from", format, {Format::obj, Format::ply, Format::off, Format::stl}, description)
+      .group("Input");
 }
 
 Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {

@@ -5,8 +5,7 @@
 
 #include <string>
 
-#include <CLI/App.hpp>
-
+#include "options.hpp"
 #include "session.hpp"
 
 namespace surpass::cli {
@@ -14,7 +13,7 @@ namespace surpass::cli {
 /// --repair, --weld and --triangulate. Nothing is mended unasked.
 class Mending {
  public:
-  void define(CLI::App& app);
+  void define(Options& options);
 
   /// Mends the mesh as asked; what was done is noted and added to report["mended"].
   [[nodiscard]] Result<void> apply(Mesh& mesh, Session& session) const;
@@ -29,7 +28,7 @@ class Mending {
 class MeshInput {
  public:
   /// The argument `name` (such as "GIVEN") with --from and the options of Mending.
-  void define(CLI::App& app, const std::string& name, const std::string& description);
+  void define(Options& options, const std::string& name, const std::string& description);
 
   /// Reads and mends. Fills report["input"].
   [[nodiscard]] Result<LoadedMesh> load(Session& session) const;
@@ -43,7 +42,7 @@ class MeshInput {
 };
 
 /// --from alone, for commands with two inputs, where it is the format of the one that is '-'.
-void add_from(CLI::App& app, Format& format, const std::string& description);
+void add_from(Options& options, Format& format, const std::string& description);
 
 /// Reads a mesh, prints the reader's notices and adds the time to seconds.read.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, Format format,

@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include "arguments.hpp"
 #include "signals.hpp"
 
 namespace surpass::cli {
@@ -86,23 +85,26 @@ Result<void> write_bytes(const std::string& path, std::string_view bytes, Sessio
   return session.timed("write", [&] { return write_file(path, bytes); });
 }
 
-void MeshOutput::define(CLI::App& app, const std::string& name, const std::string& description) {
-  app.add_option(name, path_, description + "; '-' is the standard output")
-      ->required()
-      ->type_name("FILE")
-      ->group(name.starts_with('-') ? "Output" : "Positionals");
-  add_choice(app, "--to", options_.format, {Format::obj, Format::ply, Format::off, Format::stl},
-             "Format of the output, for '-' or to overrule the file's ending; '-' without it takes "
-             "the format of the input")
-      ->group("Output");
-  CLI::Option* ascii = app.add_flag("--ascii", ascii_, "PLY and STL as text")->group("Output");
-  app.add_flag("--binary", binary_, "PLY and STL as bytes, little-endian (the default)")
-      ->excludes(ascii)
-      ->group("Output");
-  app.add_flag("--single", options_.single_precision,
-               "PLY: 32-bit positions; half the size, about 7 digits")
-      ->group("Output");
-  app.add_flag("--force", force_, "Allow the output to replace an input file")->group("Output");
+void MeshOutput::define(Options& options, const std::string& name, const std::string& description) {
+  options.add(name, path_, description + "; '-' is the standard output")
+      .required()
+      .type_name("FILE")
+      .group(name.starts_with('-') ? "Output" : "Positionals");
+  options
+      .choice(
+          "--to", options_.format, {Format::obj, Format::ply, Format::off, Format::stl},
+          "Format of the output, for '-' or to overrule the file's ending; '-' without it takes "
+          "the format of the input")
+      .group("Output");
+  Option ascii = options.flag("--ascii", ascii_, "PLY and STL as text").group("Output");
+  options.flag("--binary", binary_, "PLY and STL as bytes, little-endian (the default)")
+      .excludes(ascii)
+      .group("Output");
+  options
+      .flag("--single", options_.single_precision,
+            "PLY: 32-bit positions; half the size, about 7 digits")
+      .group("Output");
+  options.flag("--force", force_, "Allow the output to replace an input file").group("Output");
 }
 
 Result<void> MeshOutput::prepare(const Session& session, const std::vector<std::string>& inputs,

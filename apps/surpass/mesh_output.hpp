@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "options.hpp"
 #include "session.hpp"
 
 namespace surpass::cli {
@@ -16,7 +15,7 @@ namespace surpass::cli {
 class MeshOutput {
  public:
   /// -o (or the argument `name` in its place), --to, --ascii, --binary, --single, --force.
-  void define(CLI::App& app, const std::string& name, const std::string& description);
+  void define(Options& options, const std::string& name, const std::string& description);
 
   /// To be called before the work: checks this output, further ones and the report against the
   /// inputs and each other, and settles the format.

@@ -1,5 +1,4 @@
 // surpass predict GIVEN
-#include "arguments.hpp"
 #include "command.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -12,11 +11,11 @@ namespace {
 
 class Predict : public Command {
  public:
-  void define(CLI::App& app) override {
-    input_.define(app, "GIVEN", "The mesh to interpolate");
-    rules_.define(app);
-    add_solver_options(app, options_);
-    app.footer(
+  void define(Options& options) override {
+    input_.define(options, "GIVEN", "The mesh to interpolate");
+    rules_.define(options);
+    add_solver_options(options, options_);
+    options.examples(
         "The bound holds before any iteration: `surpass interpolate --direct` does exactly that\n"
         "many sweeps, without testing in between. Bounds are proven for richardson and "
         "chebyshev.\n\n"

@@ -6,7 +6,9 @@
 #include <surpass/render.hpp>
 #endif
 
-#include "arguments.hpp"
+#include <charconv>
+#include <tuple>
+
 #include "command.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
@@ -30,22 +32,27 @@ constexpr char kExamples[] =
 struct Wishes {
   std::string size = "1024x768";
   std::string camera = "30,20";
-  std::string up = "y";
+  char up = 'y';
   bool edges = false;
   bool flat = false;
 };
 
 #ifdef SURPASS_RENDER
 
+template <class Number>
+bool read_number(std::string_view text, Number& number) {
+  const auto [stop, error] = std::from_chars(text.begin(), text.end(), number);
+  return error == std::errc() && stop == text.end();
+}
+
 // Two numbers with a separator, and nothing else.
 template <class Number>
-Result<std::pair<Number, Number>> read_pair(const std::string& option, const std::string& text,
+Result<std::pair<Number, Number>> read_pair(const char* option, std::string_view text,
                                             char separator, const char* example) {
   const std::size_t middle = text.find(separator);
   std::pair<Number, Number> pair;
-  if (middle == std::string::npos ||
-      !CLI::detail::lexical_cast(text.substr(0, middle), pair.first) ||
-      !CLI::detail::lexical_cast(text.substr(middle + 1), pair.second)) {
+  if (middle == std::string_view::npos || !read_number(text.substr(0, middle), pair.first) ||
+      !read_number(text.substr(middle + 1), pair.second)) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("{} takes two numbers like {}, not '{}'", option, example, text));
   }
@@ -60,7 +67,7 @@ Result<RenderOptions> to_options(const Wishes& wishes) {
   RenderOptions options;
   std::tie(options.width, options.height) = *size;
   std::tie(options.azimuth, options.elevation) = *camera;
-  options.up = wishes.up.front();
+  options.up = wishes.up;
   options.edges = wishes.edges;
   options.smooth = !wishes.flat;
   return options;
@@ -108,7 +115,7 @@ Result<std::string> picture(const Mesh&, const Mesh*, const std::vector<Point>&,
 
 class Render : public Command {
  public:
-  void define(CLI::App& app) override;
+  void define(Options& options) override;
   Result<void> run(Session& session) override;
 
  private:
@@ -121,44 +128,48 @@ class Render : public Command {
   std::string output_path_;
   std::string beside_path_;
   std::string points_path_;
-  CLI::Option* points_ = nullptr;
+  Option points_;
   int levels_ = 0;
-  CLI::Option* levels_option_ = nullptr;
+  Option levels_option_;
 };
 
-void Render::define(CLI::App& app) {
-  input_.define(app, "MESH", "The mesh to draw");
-  app.add_option("-o,--output", output_path_, "The PNG file; '-' is the standard output")
-      ->required()
-      ->type_name("FILE")
-      ->group("Output");
-  rules_.define(app);
-  levels_option_ = add_levels(
-      app, levels_, "Draw the limit surface after refinement steps; by default the mesh itself");
-  levels_option_->default_str("")->group("Surface");
-  const auto view = [](CLI::Option* option) { option->group("Picture"); };
-  view(app.add_option("--size", wishes_.size, "Width and height in pixels")
-           ->type_name("WxH")
-           ->capture_default_str());
-  view(
-      app.add_option("--camera", wishes_.camera, "Degrees around the up axis and above the horizon")
-          ->type_name("AZIMUTH,ELEVATION")
-          ->capture_default_str());
-  view(app.add_option("--up", wishes_.up, "The axis that points up")
-           ->check(CLI::IsMember({"x", "y", "z"}))
-           ->capture_default_str());
-  view(app.add_flag("--edges", wishes_.edges, "Draw the edges of the mesh"));
-  view(app.add_flag("--flat", wishes_.flat, "Flat facets instead of smooth shading"));
-  points_ = app.add_option("--points", points_path_,
-                           "Draw this mesh's vertices as red balls; without a file those of "
-                           "--beside, else MESH's own")
-                ->expected(0, 1)
-                ->type_name("[FILE]");
+void Render::define(Options& options) {
+  input_.define(options, "MESH", "The mesh to draw");
+  options.add("-o,--output", output_path_, "The PNG file; '-' is the standard output")
+      .required()
+      .type_name("FILE")
+      .group("Output");
+  rules_.define(options);
+  levels_option_ =
+      add_levels(options, levels_,
+                 "Draw the limit surface after refinement steps; by default the mesh itself");
+  levels_option_.default_text("").group("Surface");
+  const auto view = [](Option option) { option.group("Picture"); };
+  view(options.add("--size", wishes_.size, "Width and height in pixels")
+           .type_name("WxH")
+           .default_text(wishes_.size));
+  view(options.add("--camera", wishes_.camera, "Degrees around the up axis and above the horizon")
+           .type_name("AZIMUTH,ELEVATION")
+           .default_text(wishes_.camera));
+  view(options
+           .choice_of_words(
+               "--up", {"x", "y", "z"}, [this](std::size_t i) { wishes_.up = "xyz"[i]; },
+               "The axis that points up")
+           .default_text("y"));
+  view(options.flag("--edges", wishes_.edges, "Draw the edges of the mesh"));
+  view(options.flag("--flat", wishes_.flat, "Flat facets instead of smooth shading"));
+  points_ = options
+                .add("--points", points_path_,
+                     "Draw this mesh's vertices as red balls; without a file those of "
+                     "--beside, else MESH's own")
+                .value_optional()
+                .type_name("[FILE]");
   view(points_);
-  view(app.add_option("--beside", beside_path_,
-                      "Draw this mesh, as facets with edges, to the left in the same view")
-           ->type_name("FILE"));
-  app.footer(kExamples);
+  view(options
+           .add("--beside", beside_path_,
+                "Draw this mesh, as facets with edges, to the left in the same view")
+           .type_name("FILE"));
+  options.examples(kExamples);
 }
 
 Result<void> Render::run(Session& session) {
@@ -188,7 +199,7 @@ Result<void> Render::run(Session& session) {
 }
 
 Result<Mesh> Render::surface(const Mesh& mesh, Session& session) const {
-  if (levels_option_->empty()) return mesh;
+  if (!levels_option_.given()) return mesh;
   const Rules rules = rules_.choose(mesh, session);
   if (auto checked = check_levels(mesh, levels_); !checked) {
     return tl::make_unexpected(checked.error());
@@ -198,7 +209,7 @@ Result<Mesh> Render::surface(const Mesh& mesh, Session& session) const {
 
 Result<std::vector<Point>> Render::marked(const Mesh& mesh, const Mesh* left,
                                           Session& session) const {
-  if (points_->empty()) return std::vector<Point>{};
+  if (!points_.given()) return std::vector<Point>{};
   if (points_path_.empty()) return left != nullptr ? left->points : mesh.points;
   const Result<LoadedMesh> loaded = load_mesh(points_path_, Format::automatic, session);
   if (!loaded) return tl::make_unexpected(loaded.error());

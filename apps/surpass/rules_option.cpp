@@ -2,8 +2,6 @@
 
 #include <sstream>
 
-#include "arguments.hpp"
-
 namespace surpass::cli {
 
 namespace {
@@ -59,26 +57,30 @@ std::optional<Value> annotated(const Mesh& mesh, const char* key,
 
 }  // namespace
 
-void RulesOption::define(CLI::App& app) {
-  add_choice(
-      app, "--scheme", scheme_, all_schemes(),
-      "Subdivision scheme; by default the one that the file records, else loop for triangles "
-      "and catmull-clark for other faces")
-      ->group("Surface");
-  add_choice(app, "--boundary", boundary_,
-             {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe, Boundary::interior},
-             "Rule at the boundary of an open mesh; by default the one that the file records, else "
-             "edge-and-corner. edge-only: the boundary curve is the cubic B-spline of the boundary "
-             "polygon; edge-and-corner: and vertices of a single face stay fixed; hoppe: the rules "
-             "of the progressive-interpolation paper; interior: the interior mask everywhere, "
-             "limit positions only; the last two are for loop")
-      ->group("Surface");
-  add_choice(
-      app, "--weights", weights_, {Weights::averaging, Weights::cosine},
-      "Weights of doo-sabin in faces without four corners: averaging (Catmull and Clark 1978, "
-      "the reconstruction paper's) or cosine (Doo and Sabin 1978); by default what the file "
-      "records, else averaging")
-      ->group("Surface");
+void RulesOption::define(Options& options) {
+  options
+      .choice(
+          "--scheme", scheme_, all_schemes(),
+          "Subdivision scheme; by default the one that the file records, else loop for triangles "
+          "and catmull-clark for other faces")
+      .group("Surface");
+  options
+      .choice(
+          "--boundary", boundary_,
+          {Boundary::edge_only, Boundary::edge_and_corner, Boundary::hoppe, Boundary::interior},
+          "Rule at the boundary of an open mesh; by default the one that the file records, else "
+          "edge-and-corner. edge-only: the boundary curve is the cubic B-spline of the boundary "
+          "polygon; edge-and-corner: and vertices of a single face stay fixed; hoppe: the rules "
+          "of the progressive-interpolation paper; interior: the interior mask everywhere, "
+          "limit positions only; the last two are for loop")
+      .group("Surface");
+  options
+      .choice(
+          "--weights", weights_, {Weights::averaging, Weights::cosine},
+          "Weights of doo-sabin in faces without four corners: averaging (Catmull and Clark 1978, "
+          "the reconstruction paper's) or cosine (Doo and Sabin 1978); by default what the file "
+          "records, else averaging")
+      .group("Surface");
 }
 
 Rules RulesOption::choose(const Mesh& mesh, Session& session) const {

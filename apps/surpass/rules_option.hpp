@@ -6,8 +6,7 @@
 
 #include <optional>
 
-#include <CLI/App.hpp>
-
+#include "options.hpp"
 #include "session.hpp"
 
 namespace surpass::cli {
@@ -15,7 +14,7 @@ namespace surpass::cli {
 class RulesOption {
  public:
   /// --scheme, --boundary and --weights.
-  void define(CLI::App& app);
+  void define(Options& options);
 
   /// The command line wins over what the mesh records (a comment of a control mesh, then
   /// OpenSubdiv's `t interpolateboundary`), and that over the suggested scheme and edge-and-corner.

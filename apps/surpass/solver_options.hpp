@@ -3,14 +3,14 @@
 
 #include <surpass/interpolate.hpp>
 
-#include <CLI/App.hpp>
+#include "options.hpp"
 
 namespace surpass::cli {
 
-/// --solver and --tolerance, stored in `options`.
-void add_solver_options(CLI::App& app, InterpolateOptions& options);
+/// --solver and --tolerance, stored in `chosen`.
+void add_solver_options(Options& options, InterpolateOptions& chosen);
 
 /// --tolerance alone, for commands that judge.
-void add_tolerance(CLI::App& app, double& tolerance);
+void add_tolerance(Options& options, double& tolerance);
 
 }  // namespace surpass::cli

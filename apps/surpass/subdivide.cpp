@@ -1,5 +1,4 @@
 // surpass subdivide MESH -o OUT --levels N [--limit]
-#include "arguments.hpp"
 #include "command.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
@@ -12,16 +11,17 @@ namespace {
 
 class Subdivide : public Command {
  public:
-  void define(CLI::App& app) override {
-    input_.define(app, "MESH", "The control mesh to refine");
-    output_.define(app, "-o,--output", "The refined mesh");
-    rules_.define(app);
-    add_levels(app, levels_, "Refinement steps")->required()->group("Surface");
-    app.add_flag("--limit", limit_,
-                 "Move the result onto the limit surface, with its normals where the format has "
-                 "a place for them")
-        ->group("Surface");
-    app.footer(
+  void define(Options& options) override {
+    input_.define(options, "MESH", "The control mesh to refine");
+    output_.define(options, "-o,--output", "The refined mesh");
+    rules_.define(options);
+    add_levels(options, levels_, "Refinement steps").required().group("Surface");
+    options
+        .flag("--limit", limit_,
+              "Move the result onto the limit surface, with its normals where the format has "
+              "a place for them")
+        .group("Surface");
+    options.examples(
         "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n\n"
         "Examples:\n"
         "  surpass subdivide control.obj -o fine.ply --levels 3 --limit\n"

@@ -88,7 +88,8 @@ Tangents dart_tangents(const LoopRing& ring) {
 
 // Between two sharp spokes of a smooth curve: along the curve, and across it into the sector.
 Tangents curve_tangents(const LoopRing& ring, const Sector& sector) {
-  const auto [begin, faces] = sector;
+  const std::size_t begin = sector.begin;
+  const std::size_t faces = sector.faces;
   const std::size_t n = ring.size();
   const bool extraordinary = ring.is_hoppe_curve() && !ring.center_regular;
   // A point on a sharp spoke keeps this share of the neighbour and takes the rest from the center.

@@ -1,8 +1,9 @@
-#include "arguments.hpp"
+#include "spelling.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
+
+#include <fmt/format.h>
 
 namespace surpass::cli {
 
@@ -28,27 +29,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// An option as typed, without its value: "--levels=3" is "--levels", "-oa.obj" is "-o".
-std::string option_name(const std::string& word) {
-  if (word.starts_with("--")) return word.substr(0, word.find('='));
-  return word.substr(0, 2);
-}
-
-bool looks_like_option(const std::string& word) {
-  if (word.size() < 2 || word[0] != '-') return false;
-  const bool negative_number = std::isdigit(static_cast<unsigned char>(word[1])) || word[1] == '.';
-  return !negative_number;
-}
-
-std::vector<std::string> option_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-  }
-  return names;
-}
-
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
@@ -69,19 +49,6 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string best = nearest(word, candidates);
   return best.empty() ? "" : fmt::format("; did you mean '{}'?", best);
-}
-
-Result<void> refuse_unknown_options(const CLI::App& app, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    if (word == "--") break;  // what follows are arguments
-    if (!looks_like_option(word)) continue;
-    const std::string name = option_name(word);
-    if (app.get_option_no_throw(name) == nullptr) {
-      return fail(ErrorCode::invalid_argument, fmt::format("there is no option '{}'{}", name,
-                                                           suggestion(name, option_names(app))));
-    }
-  }
-  return {};
 }
 
 }  // namespace surpass::cli
