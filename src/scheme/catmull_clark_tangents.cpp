@@ -1,11 +1,8 @@
 // Tangent masks of Catmull-Clark surfaces among quads: left eigenvectors of the local subdivision
 // matrix, derived here. Between two sharp spokes the matrix of a sector splits into sine modes,
-// which gives them in closed form; at darts the even mode's small eigenproblem is solved.
-#include <algorithm>
+// which gives them in closed form.
 #include <cmath>
 #include <numbers>
-
-#include <Eigen/Dense>
 
 #include "scheme/catmull_clark_masks.hpp"
 
@@ -57,44 +54,12 @@ std::vector<std::size_t> mirrored(const FaceRing& ring, std::size_t end) {
   return image;
 }
 
-// The even tangent at a dart: the mode after the eigenvalue 1 of the subdivision matrix, folded
-// about the crease. Points with the same image share a row: their mean.
-Mask even_dart_tangent(const FaceRing& ring, std::size_t end) {
-  const std::vector<std::size_t> image = mirrored(ring, end);
-  const std::vector<Mask> masks = ring.child_masks();
-  const std::size_t count = ring.point_count();
-  std::vector<Eigen::Index> row(count, 0);
-  Eigen::Index size = 0;
-  for (std::size_t i = 0; i < count; ++i) row[i] = image[i] < i ? row[image[i]] : size++;
-  Eigen::MatrixXd step = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (image[i] < i) continue;
-    for (std::size_t k = 0; k < count; ++k) step(row[i], row[k]) += masks[i][k];
-  }
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(step.transpose());
-  const Eigen::VectorXd values = solver.eigenvalues().real();
-  Eigen::Index best = -1;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    if (values[i] < 1 - 1e-9 && (best < 0 || values[i] > values[best])) best = i;
-  }
-  const Eigen::VectorXd left = solver.eigenvectors().col(best).real();
-  Mask mask(count);
-  double along = 0;  // response to a flat ring, whose crease points along +x
-  for (std::size_t i = 0; i < count; ++i) mask[i] = left[row[i]] / (image[i] == i ? 1 : 2);
-  for (std::size_t j = 0; j < ring.size(); ++j) {
-    along += mask[1 + (end + j) % ring.size()] * std::cos(angle(j, ring.size()));
-  }
-  if (along < 0) {
-    for (double& w : mask) w = -w;
-  }
-  return mask;
-}
-
 // The odd modes at a dart do not see the crease: they are the smooth ones.
 Tangents dart_tangents(const FaceRing& ring) {
   const std::size_t n = ring.size();
   const std::size_t end = ring.sharp_spokes().front();
-  Tangents t{even_dart_tangent(ring, end), Mask(ring.point_count(), 0.0)};
+  Tangents t{even_dart_tangent(ring.child_masks(), mirrored(ring, end), end, n),
+             Mask(ring.point_count(), 0.0)};
   const Mask odd = smooth_tangents(ring).second;  // about spoke 0
   for (std::size_t j = 0; j < n; ++j) {
     t.second[1 + (end + j) % n] = odd[1 + j];

@@ -1,10 +1,8 @@
 // Tangent masks of Loop surfaces: left eigenvectors of the local subdivision matrix. Between two
 // sharp spokes the matrix of a sector splits into cosine and sine modes, which gives them in closed
-// form; at darts the even mode has none that we know, and its small eigenproblem is solved.
+// form.
 #include <cmath>
 #include <numbers>
-
-#include <Eigen/Dense>
 
 #include "scheme/loop_masks.hpp"
 
@@ -27,63 +25,17 @@ Tangents smooth_tangents(const LoopRing& ring) {
   return t;
 }
 
-// The even tangent at a dart: unknowns are the center, the crease's spoke and the pairs of spokes
-// j, n - j. The mode wanted is the one after the eigenvalue 1.
-Mask even_dart_tangent(std::size_t n) {
-  const auto pairs = static_cast<Eigen::Index>(n / 2);  // the last is a single spoke for even n
-  const Eigen::Index size = pairs + 2;
-  const double moved = alpha(n);
-  Eigen::MatrixXd step = Eigen::MatrixXd::Zero(size, size);  // on center, crease spoke, pair means
-  step(0, 0) = 1 - moved;
-  step(0, 1) = moved / static_cast<double>(n);
-  step(1, 0) = step(1, 1) = 1.0 / 2;
-  const auto column = [&](Eigen::Index j) {  // of spoke j, folded about the crease
-    const auto count = static_cast<Eigen::Index>(n);
-    const Eigen::Index folded = std::min(j, count - j);
-    return 1 + folded;
-  };
-  for (Eigen::Index j = 1; j < static_cast<Eigen::Index>(n); ++j) {
-    step(0, column(j)) += moved / static_cast<double>(n);
-  }
-  for (Eigen::Index j = 1; j <= pairs; ++j) {
-    step(1 + j, 0) += 3.0 / 8;
-    step(1 + j, column(j)) += 3.0 / 8;
-    step(1 + j, column(j - 1)) += 1.0 / 8;
-    step(1 + j, column(j + 1)) += 1.0 / 8;
-  }
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(step.transpose());
-  const Eigen::VectorXd values = solver.eigenvalues().real();
-  Eigen::Index best = -1;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    if (values[i] < 1 - 1e-9 && (best < 0 || values[i] > values[best])) best = i;
-  }
-  const Eigen::VectorXd left = solver.eigenvectors().col(best).real();
-  Mask mask(n + 1, 0.0);
-  mask[0] = left[0];
-  mask[1] = left[1];
-  double along = mask[1];  // response to a flat ring, whose crease points along +x
-  for (std::size_t j = 1; j < n; ++j) {
-    const bool single = 2 * j == n;
-    mask[1 + j] = left[column(static_cast<Eigen::Index>(j))] / (single ? 1 : 2);
-    along += mask[1 + j] * std::cos(angle(j, n));
-  }
-  if (along < 0) {
-    for (double& w : mask) w = -w;
-  }
-  return mask;
-}
-
+// The odd modes at a dart do not see the crease: they are the smooth ones.
 Tangents dart_tangents(const LoopRing& ring) {
   const std::size_t n = ring.size();
   const std::size_t end = ring.sharp_spokes().front();
-  const Mask even = even_dart_tangent(n);
-  Tangents t{Mask(n + 1, 0.0), Mask(n + 1, 0.0)};
-  t.first[0] = even[0];
+  std::vector<std::size_t> mirrored(n + 1, 0);
+  Mask odd(n + 1, 0.0);
   for (std::size_t j = 0; j < n; ++j) {
-    t.first[1 + (end + j) % n] = even[1 + j];
-    t.second[1 + (end + j) % n] = std::sin(angle(j, n));
+    mirrored[1 + (end + j) % n] = 1 + (end + n - j) % n;
+    odd[1 + (end + j) % n] = std::sin(angle(j, n));
   }
-  return t;
+  return {even_dart_tangent(ring.child_masks(), mirrored, end, n), odd};
 }
 
 // Between two sharp spokes of a smooth curve: along the curve, and across it into the sector.

@@ -69,6 +69,14 @@ template <class R>
   return t;
 }
 
+/// The even tangent at a dart: the mode after the eigenvalue 1 of the subdivision matrix folded
+/// about the crease. `masks` refine the points of the ring once (center, spokes, others), `image`
+/// is the permutation that mirrors them, and the crease is spoke `end` of `spokes`. Positive along
+/// it.
+[[nodiscard]] Mask even_dart_tangent(const std::vector<Mask>& masks,
+                                     const std::vector<std::size_t>& image, std::size_t end,
+                                     std::size_t spokes);
+
 /// The normalised mean of the sectors' normals; zero where no tangents differ.
 [[nodiscard]] Point normal_of(const Mesh& mesh, const NormalMasks& masks);
 

@@ -1,37 +1,17 @@
 // Reports of every command, of successes and of failures, against docs/report.schema.json.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
 
 #include "process.hpp"
+#include "schema.hpp"
 
 namespace surpass::test {
 namespace {
 
 using nlohmann::json;
-using Adapter = valijson::adapters::NlohmannJsonAdapter;
-
 class Report : public testing::Test {
  protected:
-  Report() {
-    const json text = json::parse(slurp(SURPASS_SCHEMA));
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(text), schema_);
-  }
-
-  /// "" or what the schema has against it.
-  std::string complaint(const json& report) {
-    valijson::Validator validator;
-    valijson::ValidationResults results;
-    if (validator.validate(schema_, Adapter(report), &results)) return "";
-    std::string text = "refused:";
-    valijson::ValidationResults::Error error;
-    while (results.popError(error)) text += "\n" + error.description;
-    return text;
-  }
+  std::string complaint(const json& report) const { return schema_.complaint(report.dump()); }
 
   /// Runs the command with --report, expects the exit code, and the schema's consent.
   json valid(std::vector<std::string> words, int status) {
@@ -50,7 +30,7 @@ class Report : public testing::Test {
   }
 
   TempFolder folder_;
-  valijson::Schema schema_;
+  Schema schema_{SURPASS_SCHEMA};
 };
 
 TEST_F(Report, OfInterpolation) {

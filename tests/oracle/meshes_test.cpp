@@ -7,10 +7,10 @@
 
 #include <algorithm>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "scheme/limit_operator.hpp"
+#include "support/dense.hpp"
 
 namespace surpass {
 namespace {
@@ -53,26 +53,21 @@ void check_singular(const Mesh& given, const Rules& rules, const Error& error) {
     if (components.of_vertex[v] == named) members.push_back(v);
   }
   const auto op = limit_operator(given, topology, rules, {}).value();
-  const auto n = static_cast<Eigen::Index>(members.size());
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd points(n, 3);
+  test::Dense matrix(members.size());
+  std::vector<Point> points;
   const auto number = [&](Index v) {
-    return std::lower_bound(members.begin(), members.end(), v) - members.begin();
+    const auto at = std::lower_bound(members.begin(), members.end(), v) - members.begin();
+    return static_cast<std::size_t>(at);
   };
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Index v = members[static_cast<std::size_t>(i)];
+  for (const Index v : members) {
     for (std::size_t k = 0; k < op.rows.row_columns(v).size(); ++k) {
-      matrix(i, number(op.rows.row_columns(v)[k])) += op.rows.row_weights(v)[k];
+      matrix(number(v), number(op.rows.row_columns(v)[k])) += op.rows.row_weights(v)[k];
     }
-    for (std::size_t k = 0; k < 3; ++k)
-      points(i, static_cast<Eigen::Index>(k)) = given.points[v][k];
+    points.push_back(given.points[v]);
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(1e-9);
-  decomposition.compute(matrix);
-  const Eigen::MatrixXd error_left = points - matrix * decomposition.solve(points);
-  EXPECT_LT(decomposition.rank(), n);
-  EXPECT_GT(error_left.rowwise().norm().maxCoeff(), 1e-12 * bounding_box(given.points).side());
+  const test::BestFit best = test::best_fit(matrix, points, 1e-9);
+  EXPECT_LT(best.rank, members.size());
+  EXPECT_GT(best.error, 1e-12 * bounding_box(given.points).side());
 }
 
 void check_mesh(const std::string& path, Scheme scheme, Tally& tally) {
