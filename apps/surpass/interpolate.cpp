@@ -27,9 +27,8 @@ class Interpolate : public Command {
   Result<void> run(Session& session) override;
 
  private:
-  Result<void> list_certified(const Mesh& given);
   Result<void> choose_options(const Mesh& given, Session& session);
-  Result<Interpolated> solve(const Mesh& given, Session& session) const;
+  Result<Interpolated> solve(const Mesh& given, Session& session);
   Result<Verdict> verify(const Mesh& control, const Mesh& given, Session& session) const;
   Result<Certificate> certify_listed(const Mesh& control, const Mesh& given,
                                      const Context& context) const;
@@ -171,34 +170,16 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
     options_.only = std::move(*only);
     session.report["only"] = options_.only.size();
   }
-  return list_certified(given);
-}
-
-/// What --only and --skip-component leave to be certified.
-Result<void> Interpolate::list_certified(const Mesh& given) {
-  if (options_.only.empty() && options_.skip_components.empty()) return {};
-  const Result<Topology> topology = Topology::build(given);
-  if (!topology) return tl::make_unexpected(topology.error());
-  const Components components = find_components(*topology);
-  const auto& skip = options_.skip_components;
-  certified_.emplace();
-  const auto add = [&](Index v) {
-    const bool skipped = std::find(skip.begin(), skip.end(), components.of_vertex[v]) != skip.end();
-    if (!skipped) certified_->push_back(v);
-  };
-  if (options_.only.empty()) {
-    for (Index v = 0; v < given.vertex_count(); ++v) add(v);
-  } else {
-    for (const Index v : options_.only) add(v);
-  }
   return {};
 }
 
 /// interpolate() with its two stages timed apart.
-Result<Interpolated> Interpolate::solve(const Mesh& given, Session& session) const {
+Result<Interpolated> Interpolate::solve(const Mesh& given, Session& session) {
   const Result<Interpolator> solver = session.timed(
       "topology", [&] { return Interpolator::create(given, options_, session.context); });
   if (!solver) return tl::make_unexpected(solver.error());
+  const bool all = options_.only.empty() && options_.skip_components.empty();
+  if (!all) certified_ = solver->interpolated();
   Result<Solution> solution = session.timed(
       "solve", [&] { return solver->solve(given.points, given.channels, session.context); });
   if (!solution) return tl::make_unexpected(solution.error());
@@ -266,7 +247,6 @@ Result<void> Interpolate::write(const Interpolated& found, Session& session) con
     });
     if (!refined) return tl::make_unexpected(refined.error());
     surface = std::move(*refined);
-    forget_rules(*surface);
   }
   if (const auto written = output_.write(found.control, session); !written) return written;
   return surface ? output_.write(*surface, surface_path_, session) : Result<void>();

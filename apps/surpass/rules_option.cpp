@@ -119,10 +119,4 @@ void record(const Rules& rules, Mesh& mesh) {
   }
 }
 
-void forget_rules(Mesh& mesh) {
-  std::erase_if(mesh.annotations, [](const auto& a) {
-    return a.first == "scheme" || a.first == "boundary" || a.first == "weights";
-  });
-}
-
 }  // namespace surpass::cli

@@ -30,8 +30,4 @@ class RulesOption {
 /// Makes what the mesh records agree with the rules that it was made by.
 void record(const Rules& rules, Mesh& mesh);
 
-/// Takes the record away: points of a limit surface are no control points, and no reader shall
-/// subdivide them again by rules that made them.
-void forget_rules(Mesh& mesh);
-
 }  // namespace surpass::cli

@@ -44,11 +44,7 @@ class Subdivide : public Command {
                     : refine(loaded->mesh, rules, levels_, session.context);
     });
     if (!refined) return tl::make_unexpected(refined.error());
-    if (limit_) {
-      forget_rules(*refined);
-    } else {
-      record(rules, *refined);
-    }
+    if (!limit_) record(rules, *refined);
     session.console.say(fmt::format("{} vertices, {} faces after {} levels of {}, {}{}",
                                     refined->vertex_count(), refined->face_count(), levels_,
                                     name_of(rules.scheme), name_of(rules.boundary),

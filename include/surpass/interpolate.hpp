@@ -123,6 +123,10 @@ class Interpolator {
                                        std::span<const Channel> channels = {},
                                        const Context& context = {}) const;
 
+  /// The vertices that the surface shall pass through, ascending: what `only` and `skip_components`
+  /// leave.
+  [[nodiscard]] std::vector<Index> interpolated() const;
+
   /// The a-priori bound for these points, or an error that says why none is proven.
   [[nodiscard]] Result<Prediction> predict(std::span<const Point> points) const;
 

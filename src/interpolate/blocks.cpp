@@ -120,12 +120,11 @@ Blocks find_blocks(const LimitOperator& op, const std::vector<unsigned char>& li
   }
   demote_open_curves(op.rows, roles);
   blocks.curve = describe_block(op, with_role(roles, Role::curve), Role::curve);
-  std::vector<Index> surface = with_role(roles, Role::surface);
-  Block whole = describe_block(op, surface, Role::surface);
+  Block whole = describe_block(op, with_role(roles, Role::surface), Role::surface);
   if (whole.proven()) {
     blocks.surface.push_back(std::move(whole));
   } else {
-    blocks.surface = group_parts(op, surface);
+    blocks.surface = group_parts(op, whole.vertices);
   }
   return blocks;
 }

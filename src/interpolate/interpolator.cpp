@@ -166,18 +166,26 @@ Result<Interpolator> Interpolator::create(const Mesh& mesh, const InterpolateOpt
   if (!topology) return tl::make_unexpected(topology.error());
   auto op = limit_operator(mesh, *topology, options.rules, context);
   if (!op) return tl::make_unexpected(op.error());
-  const auto listed =
-      listed_vertices(options, topology->vertex_count(),
-                      options.skip_components.empty() ? Components{} : find_components(*topology));
+  Components components;
+  if (!options.skip_components.empty()) components = find_components(*topology);
+  auto listed = listed_vertices(options, topology->vertex_count(), components);
   if (!listed) return tl::make_unexpected(listed.error());
   Blocks blocks = find_blocks(*op, *listed);
   if (auto ok = check_options(options, blocks); !ok) return tl::make_unexpected(ok.error());
   std::vector<SingularPart> singular = find_singular_parts(*op, blocks, context);
   if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  Components components = singular.empty() ? Components{} : find_components(*topology);
-  Prepared prepared{options, std::move(*op), std::move(blocks), std::move(singular),
-                    std::move(components)};
+  if (!singular.empty() && components.of_vertex.empty()) components = find_components(*topology);
+  Prepared prepared{options,           std::move(*op),      std::move(*listed),
+                    std::move(blocks), std::move(singular), std::move(components)};
   return Interpolator(std::make_unique<const Impl>(Impl{std::move(prepared)}));
+}
+
+std::vector<Index> Interpolator::interpolated() const {
+  std::vector<Index> vertices;
+  for (Index v = 0; v < impl_->listed.size(); ++v) {
+    if (impl_->listed[v] != 0) vertices.push_back(v);
+  }
+  return vertices;
 }
 
 Result<Solution> Interpolator::solve(std::span<const Point> points,

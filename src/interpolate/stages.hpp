@@ -15,6 +15,7 @@ namespace surpass {
 struct Prepared {
   InterpolateOptions options;
   LimitOperator op;
+  std::vector<unsigned char> listed;  ///< #V: 1 for those to be met
   Blocks blocks;
   std::vector<SingularPart> singular;
   Components components;  ///< filled where some part is singular

@@ -8,12 +8,7 @@ namespace surpass {
 Mended drop_isolated_vertices(const Mesh& mesh) {
   std::vector<unsigned char> used(mesh.points.size(), 0);
   for (const Index v : mesh.face_vertices) used[v] = 1;
-  Selection s;
-  s.vertex_image.assign(mesh.points.size(), kNone);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (used[v] == 0) continue;
-    s.vertex_image[v] = s.add_copy(v);
-  }
+  Selection s = Selection::of_vertices(used);
   const std::size_t dropped = mesh.points.size() - s.vertex_source.size();
   if (dropped == 0) return {mesh, {}};
   for (Index f = 0; f < mesh.face_count(); ++f) s.add_face(mesh, f);

@@ -126,6 +126,15 @@ Selection Selection::of_all_vertices(const Mesh& mesh) {
   return s;
 }
 
+Selection Selection::of_vertices(const std::vector<unsigned char>& used) {
+  Selection s;
+  s.vertex_image.assign(used.size(), kNone);
+  for (Index v = 0; v < used.size(); ++v) {
+    if (used[v] != 0) s.vertex_image[v] = s.add_copy(v);
+  }
+  return s;
+}
+
 Index Selection::add_copy(Index v) {
   vertex_source.push_back(v);
   return static_cast<Index>(vertex_source.size() - 1);

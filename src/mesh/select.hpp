@@ -19,6 +19,9 @@ struct Selection {
   /// Every vertex of the mesh as it is; no faces yet.
   [[nodiscard]] static Selection of_all_vertices(const Mesh& mesh);
 
+  /// The vertices marked 1 in `used` (#V); no faces yet.
+  [[nodiscard]] static Selection of_vertices(const std::vector<unsigned char>& used);
+
   /// Another vertex where old vertex v is: a copy. Returns its number.
   Index add_copy(Index v);
   /// A corner of the face that is being built, on the image of the old corner's vertex.

@@ -13,13 +13,7 @@ Mesh without_hole_faces(const Mesh& mesh, Index kept) {
     if (is_hole[f] != 0) continue;
     for (const Index v : mesh.face(f)) used[v] = 1;
   }
-  Selection selection;
-  selection.vertex_image.assign(mesh.vertex_count(), kNone);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (used[v] == 0) continue;
-    selection.vertex_image[v] = static_cast<Index>(selection.vertex_source.size());
-    selection.vertex_source.push_back(v);
-  }
+  Selection selection = Selection::of_vertices(used);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     if (is_hole[f] == 0) selection.add_face(mesh, f);
   }

@@ -4,22 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "scheme/crease_masks.hpp"
+
 namespace surpass::catmull_clark {
 namespace {
-
-Mask center_only(const FaceRing& ring) {
-  Mask mask(ring.point_count(), 0.0);
-  mask[0] = 1;
-  return mask;
-}
-
-// `center` at the center and the rest in equal parts at the two sharp spokes.
-Mask curve_mask(const FaceRing& ring, double center) {
-  Mask mask(ring.point_count(), 0.0);
-  mask[0] = center;
-  for (const std::size_t j : ring.sharp_spokes()) mask[1 + j] = (1 - center) / 2;
-  return mask;
-}
 
 void add_centroid(Mask& mask, const std::vector<std::size_t>& face, double weight) {
   for (const std::size_t i : face) mask[i] += weight / static_cast<double>(face.size());
@@ -32,19 +20,6 @@ Mask plain_mask(const FaceRing& ring, const PlainRow& row) {
   for (const auto& face : ring.faces) add_centroid(mask, face, row.face);
   for (double& w : mask) w /= row.sum;
   return mask;
-}
-
-Mask vertex_mask_of(const FaceRing& ring, const Ring& choice) {
-  switch (choice.rule()) {
-    case VertexRule::corner: return center_only(ring);
-    case VertexRule::crease: {
-      Mask mask(ring.point_count(), 0.0);
-      mask[0] = 3.0 / 4;
-      for (const std::size_t j : choice.sharp_spokes()) mask[1 + j] = 1.0 / 8;
-      return mask;
-    }
-    default: return plain_mask(ring, refined_row(ring.size()));
-  }
 }
 
 // The new point on spoke j.
@@ -95,8 +70,8 @@ bool has_limit_mask(const FaceRing& ring) {
 
 Mask settled_limit_mask(const FaceRing& ring) {
   switch (ring.rule()) {
-    case VertexRule::corner: return center_only(ring);
-    case VertexRule::crease: return curve_mask(ring, 2.0 / 3);
+    case VertexRule::corner: return corner_mask(ring.point_count());
+    case VertexRule::crease: return curve_mask(ring, ring.point_count(), 2.0 / 3);
     case VertexRule::dart: return dart_limit_mask(ring);
     default: return plain_mask(ring, limit_row(ring.size()));
   }
@@ -163,19 +138,12 @@ std::vector<Mask> FaceRing::child_masks() const {
 }
 
 Mask vertex_mask(const FaceRing& ring) {
-  const VertexRule rule = ring.rule();
-  Mask mask = vertex_mask_of(ring, ring);
-  if (rule == VertexRule::smooth || rule == VertexRule::dart) return mask;
-  const Ring child = ring.Ring::child();
-  if (child.rule() == rule) return mask;
-  // The child's rule, applied to the parent's points; only its choice of sharp spokes is the
-  // child's.
-  blend(mask, static_cast<double>(transitional_weight(ring, child)), vertex_mask_of(ring, child));
-  return mask;
+  return refined_mask(ring, ring.point_count(),
+                      [&] { return plain_mask(ring, refined_row(ring.size())); });
 }
 
 Mask limit_mask(const FaceRing& ring) {
-  if (is_infinite(ring.sharpness)) return center_only(ring);
+  if (is_infinite(ring.sharpness)) return corner_mask(ring.point_count());
   if (has_limit_mask(ring)) return settled_limit_mask(ring);
   const auto settled = settle(ring, has_limit_mask);
   return compose(settled_limit_mask(settled.ring), settled.weights);

@@ -5,6 +5,7 @@
 #include "scheme/catmull_clark.hpp"
 #include "scheme/catmull_clark_rows.hpp"
 #include "scheme/refine_attributes.hpp"
+#include "scheme/refined_faces.hpp"
 
 namespace surpass::catmull_clark {
 namespace {
@@ -71,22 +72,12 @@ Result<Refinement> CatmullClark::refinement(const Mesh& mesh, const Topology& to
                                             const Rules& rules, const Context& context) const {
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
-  const std::uint64_t corners = std::uint64_t{4} * topology.corner_count();
-  if (corners > kNone / 2) {
-    return fail(ErrorCode::too_large,
-                fmt::format("the refined mesh would have {} face corners", corners));
-  }
-
-  Refinement refined;
-  refined.stencil = stencil(topology, *sharpness, context);
+  auto room = mesh_of_equal_faces(topology.corner_count(), 4);
+  if (!room) return tl::make_unexpected(room.error());
+  Refinement refined{std::move(*room), stencil(topology, *sharpness, context)};
   const Index edges = topology.vertex_count();
   const Index faces = edges + topology.edge_count();
   Mesh& out = refined.mesh;
-  out.face_offsets.resize(std::size_t{topology.corner_count()} + 1);
-  for (std::size_t f = 0; f < out.face_offsets.size(); ++f) {
-    out.face_offsets[f] = static_cast<Index>(4 * f);
-  }
-  out.face_vertices.resize(corners);
   parallel::for_ranges(context, topology.corner_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto h = static_cast<Index>(i);

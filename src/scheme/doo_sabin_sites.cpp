@@ -13,11 +13,6 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-Vector unit(const Vector& v) {
-  const double length = v.stableNorm();
-  return length > 0 ? Vector(v / length) : Vector(Vector::Zero());
-}
-
 // Crossed left eigenvectors of the face rule, a circulant matrix: its cosine and sine of one turn.
 Vector polygon_normal(std::span<const Vector> polygon) {
   const double step = 2 * std::numbers::pi / static_cast<double>(polygon.size());

@@ -4,35 +4,15 @@
 #include <numbers>
 #include <numeric>
 
+#include "scheme/crease_masks.hpp"
+
 namespace surpass::loop {
 namespace {
-
-Mask center_only(const LoopRing& ring) {
-  Mask mask(ring.size() + 1, 0.0);
-  mask[0] = 1;
-  return mask;
-}
-
-// `center` at the center and the rest in equal parts at two spokes.
-Mask curve_mask(const LoopRing& ring, double center) {
-  Mask mask(ring.size() + 1, 0.0);
-  mask[0] = center;
-  for (const std::size_t j : ring.sharp_spokes()) mask[1 + j] = (1 - center) / 2;
-  return mask;
-}
 
 Mask even_mask(const LoopRing& ring, double center) {
   Mask mask(ring.size() + 1, (1 - center) / static_cast<double>(ring.size()));
   mask[0] = center;
   return mask;
-}
-
-Mask vertex_mask_of(const LoopRing& ring, VertexRule rule) {
-  switch (rule) {
-    case VertexRule::corner: return center_only(ring);
-    case VertexRule::crease: return curve_mask(ring, 3.0 / 4);
-    default: return even_mask(ring, 1 - alpha(ring.size()));
-  }
 }
 
 // The six limit masks of boundary vertices under `hoppe`, built up from their two neighbours.
@@ -75,9 +55,10 @@ Mask dart_limit_mask(const LoopRing& ring) {
 // Limit mask of a ring whose sharpnesses are all 0 or infinite.
 Mask settled_limit_mask(const LoopRing& ring) {
   switch (ring.rule()) {
-    case VertexRule::corner: return center_only(ring);
+    case VertexRule::corner: return corner_mask(ring.point_count());
     case VertexRule::crease:
-      return ring.is_hoppe_curve() ? hoppe_limit_mask(ring) : curve_mask(ring, 2.0 / 3);
+      return ring.is_hoppe_curve() ? hoppe_limit_mask(ring)
+                                   : curve_mask(ring, ring.point_count(), 2.0 / 3);
     case VertexRule::dart: return dart_limit_mask(ring);
     default: return even_mask(ring, beta(ring.size()));
   }
@@ -125,16 +106,8 @@ LoopRing LoopRing::child() const {
 }
 
 Mask vertex_mask(const LoopRing& ring) {
-  const VertexRule rule = ring.rule();
-  Mask mask = vertex_mask_of(ring, rule);
-  if (rule == VertexRule::smooth || rule == VertexRule::dart) return mask;
-  const LoopRing child = ring.child();
-  if (child.rule() == rule) return mask;
-  // The child's rule, applied to the parent's points; only its choice of sharp spokes is the
-  // child's.
-  const Mask after = vertex_mask_of(child, child.rule());
-  blend(mask, static_cast<double>(transitional_weight(ring, child)), after);
-  return mask;
+  return refined_mask(ring, ring.point_count(),
+                      [&] { return even_mask(ring, 1 - alpha(ring.size())); });
 }
 
 double boundary_edge_share(Boundary boundary, bool first_regular, bool second_regular) {
@@ -169,7 +142,7 @@ Mask limit_mask(const LoopRing& ring) {
     return even_mask(ring, beta(ring.size()));
   }
   // A vertex that stays a corner for good is its own limit, however its neighbours move.
-  if (is_infinite(ring.sharpness)) return center_only(ring);
+  if (is_infinite(ring.sharpness)) return corner_mask(ring.point_count());
   if (!ring.is_semi_sharp()) return settled_limit_mask(ring);
   const auto settled = settle(ring, [](const LoopRing& r) { return r.is_settled(); });
   return compose(settled_limit_mask(settled.ring), settled.weights);

@@ -6,6 +6,7 @@
 #include "scheme/loop.hpp"
 #include "scheme/loop_masks.hpp"
 #include "scheme/refine_attributes.hpp"
+#include "scheme/refined_faces.hpp"
 
 namespace surpass::loop {
 namespace {
@@ -101,22 +102,12 @@ Result<Refinement> Loop::refinement(const Mesh& mesh, const Topology& topology, 
   }
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
-  const std::uint64_t corners = std::uint64_t{4} * topology.corner_count();
-  if (corners > kNone / 2) {
-    return fail(ErrorCode::too_large,
-                fmt::format("the refined mesh would have {} face corners", corners));
-  }
-
-  Refinement refined;
-  refined.stencil = stencil(topology, *sharpness, rules.boundary, context);
+  auto room = mesh_of_equal_faces(std::uint64_t{4} * topology.face_count(), 3);
+  if (!room) return tl::make_unexpected(room.error());
+  Refinement refined{std::move(*room), stencil(topology, *sharpness, rules.boundary, context)};
   const Index n = topology.vertex_count();
   const Index faces = topology.face_count();
   Mesh& out = refined.mesh;
-  out.face_offsets.resize(std::size_t{4} * faces + 1);
-  for (std::size_t f = 0; f < out.face_offsets.size(); ++f) {
-    out.face_offsets[f] = static_cast<Index>(3 * f);
-  }
-  out.face_vertices.resize(corners);
   parallel::for_ranges(context, faces, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const auto h = static_cast<Index>(3 * f);

@@ -11,11 +11,6 @@ Vector position(const Mesh& mesh, Index v) {
   return Eigen::Map<const Vector>(mesh.points[v].data());
 }
 
-Vector unit(const Vector& v) {
-  const double length = v.stableNorm();
-  return length > 0 ? Vector(v / length) : Vector(Vector::Zero());
-}
-
 Vector evaluate(const Mask& mask, const std::vector<Vector>& points) {
   Vector sum = Vector::Zero();
   for (std::size_t i = 0; i < mask.size(); ++i) sum += mask[i] * points[i];

@@ -7,11 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "parallel/parallel.hpp"
 #include "scheme/ring.hpp"
 #include "scheme/settle.hpp"
 
 namespace surpass {
+
+/// v / |v|, or zero.
+[[nodiscard]] inline Eigen::Vector3d unit(const Eigen::Vector3d& v) {
+  const double length = v.stableNorm();
+  return length > 0 ? Eigen::Vector3d(v / length) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
 
 /// A limit normal's ingredients in one smooth sector at a vertex: left eigenvectors of the local
 /// subdivision matrix. Crossed in this order they point to the outside.
