@@ -1,4 +1,6 @@
 // surpass check CONTROL --against GIVEN
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "evaluator.hpp"
 #include "mesh_input.hpp"

@@ -1,6 +1,8 @@
 // surpass compare A B
 #include <surpass/quality.hpp>
 
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"

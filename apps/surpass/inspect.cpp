@@ -1,6 +1,8 @@
 // surpass inspect MESH
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "anatomy.hpp"
 #include "command.hpp"
 #include "mesh_input.hpp"

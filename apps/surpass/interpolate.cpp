@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "evaluator.hpp"
 #include "levels.hpp"

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace surpass::cli {
 
 Option add_levels(Options& options, int& levels, const std::string& description) {

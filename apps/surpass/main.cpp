@@ -4,6 +4,8 @@
 
 #include <new>
 
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "help.hpp"
 #include "mesh_input.hpp"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "signals.hpp"

@@ -1,4 +1,6 @@
 // surpass predict GIVEN
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"

@@ -9,6 +9,8 @@
 #include <charconv>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"

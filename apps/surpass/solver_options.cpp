@@ -1,5 +1,7 @@
 #include "solver_options.hpp"
 
+#include <fmt/format.h>
+
 namespace surpass::cli {
 
 void add_solver_options(Options& options, InterpolateOptions& chosen) {

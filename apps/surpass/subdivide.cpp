@@ -1,4 +1,6 @@
 // surpass subdivide MESH -o OUT --levels N [--limit]
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
