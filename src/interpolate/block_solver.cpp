@@ -6,6 +6,7 @@
 
 #include "interpolate/a_priori.hpp"
 #include "interpolate/choose_solver.hpp"
+#include "interpolate/wavefront.hpp"
 
 namespace surpass {
 namespace {
@@ -70,15 +71,19 @@ class BlockSolver {
                                     : SemiIteration::chebyshev(block.lowest);
     const double tolerance = rule_.tolerance * rule_.unit * system_.scale;
     const unsigned sweeps = sweeps_needed(system_, solver_, task_.x, tolerance);
-    if (!semi_iteration_blind(system_, start, sweeps, task_.x)) return cancelled();
+    const OrderedRows* rows = block.ordered.get();
+    const bool fast = rows != nullptr && system_.width <= Wavefront::kWidth;
+    const bool done = fast ? wavefront_iteration_blind(*rows, system_, start, sweeps, task_.x)
+                           : semi_iteration_blind(system_, start, sweeps, task_.x);
+    if (!done) return cancelled();
     std::vector<double> r(system_.values(), 0.0);
     Monitor monitor(rule_, system_);
-    BlockOutcome done;
-    done.solver = solver_;
-    done.converged = monitor.record(system_.residual(task_.x, r)) == Verdict::reached;
-    done.final = monitor.last();
-    done.final.iteration = sweeps;
-    return done;
+    BlockOutcome outcome;
+    outcome.solver = solver_;
+    outcome.converged = monitor.record(system_.residual(task_.x, r)) == Verdict::reached;
+    outcome.final = monitor.last();
+    outcome.final.iteration = sweeps;
+    return outcome;
   }
 
   static tl::unexpected<Error> cancelled() {
@@ -90,7 +95,7 @@ class BlockSolver {
     const bool reached = verdict == Verdict::reached;
     Iteration final = reached ? monitor.last() : monitor.best();
     final.iteration = monitor.iterations();
-    return BlockOutcome{reached, final, monitor.history(), solver};
+    return BlockOutcome{reached, monitor.first(), final, monitor.history(), solver};
   }
 
   static constexpr unsigned kRefinements = 10;  // of a factorisation's solution

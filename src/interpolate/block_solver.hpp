@@ -19,6 +19,7 @@ struct Task {
 
 struct BlockOutcome {
   bool converged = true;
+  Iteration first = {};  ///< of the target
   Iteration final = {};
   std::vector<Iteration> history = {};
   Solver solver = Solver::automatic;  ///< that was used; automatic if there was nothing to solve

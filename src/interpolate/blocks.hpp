@@ -3,8 +3,10 @@
 
 #include <surpass/interpolate.hpp>
 
+#include <memory>
 #include <vector>
 
+#include "interpolate/ordered_rows.hpp"
 #include "scheme/limit_operator.hpp"
 
 namespace surpass {
@@ -19,6 +21,8 @@ struct Block {
   double lowest = 1;
   bool suspect = false;    ///< L may be singular on some component of the block
   Index obstacle = kNone;  ///< a vertex for which no bound is proven, if there is one
+  /// The block's rows, where a semi-iteration may run on them and they could be ordered.
+  std::shared_ptr<const OrderedRows> ordered = nullptr;
 
   [[nodiscard]] bool proven() const { return symmetric && lowest > 0; }
 };

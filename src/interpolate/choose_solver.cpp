@@ -1,11 +1,26 @@
 #include "interpolate/choose_solver.hpp"
 
+#include <algorithm>
+
+#include "interpolate/wavefront.hpp"
+
 namespace surpass {
 namespace {
 
-// Lower end of the Chebyshev interval where nothing is proven. Too large a value only slows the
-// iteration down, and the monitor notices if it fails.
-constexpr double kUnprovenLowest = 0.1;
+// Lower end of Chebyshev's interval. A value above the smallest eigenvalue only slows the iteration
+// down, so what is likely may take the place of a bound that holds for every mesh.
+double interval_begin(const LinearSystem& system) {
+  const double likely = system.op.likely_lowest;
+  return system.block.proven() ? std::max(system.block.lowest, likely) : likely;
+}
+
+Verdict chebyshev(const LinearSystem& system, Monitor& monitor, std::span<double> x) {
+  const SemiIteration start = SemiIteration::chebyshev(interval_begin(system));
+  const OrderedRows* rows = system.block.ordered.get();
+  const bool fast = rows != nullptr && system.width <= Wavefront::kWidth && !monitor.records_all();
+  return fast ? wavefront_iteration(*rows, system, start, monitor, x)
+              : semi_iteration(system, start, monitor, x);
+}
 
 }  // namespace
 
@@ -18,7 +33,6 @@ Solver choose_solver(const Block& block) {
 
 Verdict run_solver(Solver solver, const LinearSystem& system, Monitor& monitor,
                    std::span<double> x) {
-  const Block& block = system.block;
   switch (solver) {
     case Solver::richardson: return semi_iteration(system, SemiIteration::richardson(), monitor, x);
     case Solver::conjugate_gradient: return conjugate_gradient(system, monitor, x);
@@ -28,8 +42,16 @@ Verdict run_solver(Solver solver, const LinearSystem& system, Monitor& monitor,
     case Solver::automatic:
     case Solver::chebyshev: break;
   }
-  const double lowest = block.proven() ? block.lowest : kUnprovenLowest;
-  return semi_iteration(system, SemiIteration::chebyshev(lowest), monitor, x);
+  return chebyshev(system, monitor, x);
+}
+
+void order_rows_for(Solver solver, bool blind, const LimitOperator& op, Block& block) {
+  if (block.vertices.empty()) return;
+  if (solver == Solver::automatic) solver = choose_solver(block);
+  const bool sweeps = solver == Solver::chebyshev || (solver == Solver::richardson && blind);
+  if (!sweeps) return;
+  auto rows = order_rows(op.rows, block.vertices);
+  if (rows) block.ordered = std::make_shared<const OrderedRows>(std::move(*rows));
 }
 
 }  // namespace surpass

@@ -5,11 +5,12 @@
 
 namespace surpass {
 
-Verdict Monitor::record(const ErrorNorms& norms) {
+Verdict Monitor::record(const ErrorNorms& norms, unsigned steps) {
   const double unit = rule_.unit * system_.scale;
   const auto count = static_cast<double>(std::max<std::size_t>(1, system_.block.vertices.size()));
-  last_ = {last_.iteration + 1, norms.max / unit, norms.sum / count / unit};
-  if (last_.iteration == 1) first_ = best_ = progress_ = last_;
+  const bool is_first = last_.iteration == 0;
+  last_ = {last_.iteration + steps, norms.max / unit, norms.sum / count / unit};
+  if (is_first) first_ = best_ = progress_ = last_;
   if (last_.max < best_.max) best_ = last_;
   if (last_.max < 0.9 * progress_.max) progress_ = last_;
   if (rule_.full_history) history_.push_back(last_);

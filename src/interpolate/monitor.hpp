@@ -30,13 +30,19 @@ class Monitor {
  public:
   Monitor(const StopRule& rule, const LinearSystem& system) : rule_(rule), system_(system) {}
 
-  /// Takes the error of the next evaluation of the limit.
-  Verdict record(const ErrorNorms& norms);
+  /// Takes the error of the next evaluation of the limit, or of the one `steps` ahead.
+  Verdict record(const ErrorNorms& norms, unsigned steps = 1);
+
+  /// By how much the last error is above the tolerance, as a factor.
+  [[nodiscard]] double excess() const { return last_.max / rule_.tolerance; }
+  [[nodiscard]] unsigned iterations_left() const { return rule_.max_iterations - last_.iteration; }
 
   [[nodiscard]] unsigned iterations() const { return last_.iteration; }
+  [[nodiscard]] const Iteration& first() const { return first_; }
   [[nodiscard]] const Iteration& last() const { return last_; }
   [[nodiscard]] const Iteration& best() const { return best_; }
   [[nodiscard]] bool keeps_best() const { return best_.max == last_.max; }
+  [[nodiscard]] bool records_all() const { return rule_.full_history; }
   /// Every iteration, or the first and the last.
   [[nodiscard]] std::vector<Iteration> history() const;
 

@@ -1,6 +1,7 @@
 // Richardson's iteration (the paper's) and Chebyshev's acceleration of it: the same sweep with
 // other coefficients. Golub and Varga, Chebyshev semi-iterative methods, 1961.
 #include <algorithm>
+#include <cmath>
 
 #include "interpolate/solvers.hpp"
 
@@ -11,6 +12,7 @@ SemiIteration SemiIteration::chebyshev(double lowest) {
   const double middle = (lowest + 1) / 2;
   c.half_width_ = (1 - lowest) / 2;
   c.step_ = 1 / middle;
+  c.reduction_ = (1 - std::sqrt(lowest)) / (1 + std::sqrt(lowest));
   if (c.half_width_ == 0) return c;  // L is the identity
   c.sigma_ = middle / c.half_width_;
   c.rho_ = 1 / c.sigma_;

@@ -16,11 +16,14 @@ class SemiIteration {
 
   [[nodiscard]] double momentum() const { return momentum_; }
   [[nodiscard]] double step() const { return step_; }
+  /// By which a sweep brings errors down in the long run, if the interval holds all eigenvalues.
+  [[nodiscard]] double reduction() const { return reduction_; }
   void advance();
 
  private:
   double momentum_ = 0;
   double step_ = 1;
+  double reduction_ = 1;
   double half_width_ = 0;  // of the spectrum interval; 0 for Richardson
   double sigma_ = 0;
   double rho_ = 0;

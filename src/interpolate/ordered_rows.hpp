@@ -1,0 +1,43 @@
+// The rows of a block, put into an order in which they are fast to sweep over.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scheme/sparse_rows.hpp"
+
+namespace surpass {
+
+/// Rows in breadth-first levels: each reads only its own level, the one before and the one after,
+/// so a sweep can follow another at a distance of one level (see wavefront.hpp). Inside a level,
+/// rows with equal weights lie side by side: such a run shares one list of weights, and its columns
+/// are all that has to be read of the operator.
+struct OrderedRows {
+  struct Run {
+    Index begin;  ///< rows begin .. end
+    Index end;
+    Index length;   ///< entries a row
+    Index weights;  ///< where its weights start in `weights`
+    Index columns;  ///< where its first row's columns start in `columns`
+  };
+
+  /// Columns are places times this: numbers in arrays of so many a place, ready to be added.
+  static constexpr Index kStride = 4;
+
+  std::vector<Run> runs;
+  std::vector<Index> levels = {0};  ///< level l has the runs levels[l] .. levels[l + 1]
+  std::vector<Index> columns;       ///< row after row, each in the order of the given row
+  std::vector<double> weights;
+  /// Of each place: the rows' vertices, in their order, then those that rows read but do not own.
+  std::vector<Index> vertices;
+  Index row_count = 0;
+
+  [[nodiscard]] std::size_t level_count() const { return levels.size() - 1; }
+};
+
+/// The rows of `block` (ascending). Nothing if some row reads farther than the neighbouring levels,
+/// which rows that do not see each other mutually can. O(#entries), and sorting inside levels.
+[[nodiscard]] std::optional<OrderedRows> order_rows(const SparseRows& rows,
+                                                    const std::vector<Index>& block);
+
+}  // namespace surpass

@@ -1,0 +1,202 @@
+// A sweep needs of the one before only what lies a level around it. So while one sweep is at level
+// l, the next can be at l - 1, and so on: all of them go through the mesh together, and what they
+// touch stays in the cache. (Temporal blocking along breadth-first levels.)
+#include "interpolate/wavefront.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surpass {
+// The same operations on wider registers have the same bits, so each machine may use its own.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define SURPASS_FOR_EACH_MACHINE [[gnu::target_clones("avx2", "default")]]
+#else
+#define SURPASS_FOR_EACH_MACHINE
+#endif
+
+namespace {
+
+using Four = Wavefront::Four;
+
+struct Arrays {
+  const Wavefront::Values* target;
+  const Wavefront::Values* current;
+  Wavefront::Values* previous;  // becomes the next
+};
+
+void include(ErrorNorms& norms, const Four& r, double scale) {
+  double squared = 0;
+  for (std::size_t c = 0; c < Wavefront::kWidth; ++c) squared += (r[c] * scale) * (r[c] * scale);
+  const double distance = std::sqrt(squared);
+  if (distance > norms.max || std::isnan(distance)) norms.max = distance;
+  norms.sum += distance;
+}
+
+// One run. With a constant Length the loop over a row's entries has no branch.
+template <Index Length, bool Measured>
+[[gnu::always_inline]] inline void sweep_run(const OrderedRows& rows, const OrderedRows::Run& run,
+                                             const Arrays& a, const Wavefront::Sweep& sweep,
+                                             double scale, ErrorNorms& norms) {
+  const Index length = Length != 0 ? Length : run.length;
+  const Index* columns = rows.columns.data() + run.columns;
+  const double* weights = rows.weights.data() + run.weights;
+  double kept[Length != 0 ? Length : 1];  // in registers
+  for (Index k = 0; k < Length; ++k) kept[k] = weights[k];
+  const auto* current = reinterpret_cast<const double*>(a.current);
+  const auto at = [&](Index column) -> const Four& {
+    return *reinterpret_cast<const Four*>(current + column);
+  };
+  const double momentum = sweep.momentum;
+  const double step = sweep.step;
+  for (Index i = run.begin; i < run.end; ++i, columns += length) {
+    Four product{};
+    for (Index k = 0; k < length; ++k) {
+      product += (Length != 0 ? kept[k] : weights[k]) * at(columns[k]);
+    }
+    const Four x = a.current[i].four;
+    const Four r = a.target[i].four - product;
+    a.previous[i].four = x + momentum * (x - a.previous[i].four) + step * r;
+    if (Measured) include(norms, r, scale);
+  }
+}
+
+template <bool Measured>
+[[gnu::always_inline]] inline void sweep_any_level(const OrderedRows& rows, std::size_t level,
+                                                   const Arrays& a, const Wavefront::Sweep& sweep,
+                                                   double scale, ErrorNorms& norms) {
+  for (Index i = rows.levels[level]; i < rows.levels[level + 1]; ++i) {
+    const OrderedRows::Run& run = rows.runs[i];
+    switch (run.length) {
+      case 4: sweep_run<4, Measured>(rows, run, a, sweep, scale, norms); break;
+      case 5: sweep_run<5, Measured>(rows, run, a, sweep, scale, norms); break;
+      case 6: sweep_run<6, Measured>(rows, run, a, sweep, scale, norms); break;
+      case 7: sweep_run<7, Measured>(rows, run, a, sweep, scale, norms); break;
+      case 8: sweep_run<8, Measured>(rows, run, a, sweep, scale, norms); break;
+      case 9: sweep_run<9, Measured>(rows, run, a, sweep, scale, norms); break;
+      default: sweep_run<0, Measured>(rows, run, a, sweep, scale, norms); break;
+    }
+  }
+}
+
+SURPASS_FOR_EACH_MACHINE
+void sweep_level(const OrderedRows& rows, std::size_t level, const Arrays& a,
+                 const Wavefront::Sweep& sweep) {
+  ErrorNorms none;
+  sweep_any_level<false>(rows, level, a, sweep, 1, none);
+}
+
+SURPASS_FOR_EACH_MACHINE
+void sweep_and_measure_level(const OrderedRows& rows, std::size_t level, const Arrays& a,
+                             const Wavefront::Sweep& sweep, double scale, ErrorNorms& norms) {
+  sweep_any_level<true>(rows, level, a, sweep, scale, norms);
+}
+
+}  // namespace
+
+Wavefront::Wavefront(const OrderedRows& rows, const LinearSystem& system, std::span<const double> x)
+    : rows_(rows), system_(system), target_(rows.row_count) {
+  for (auto& points : points_) points.resize(rows.vertices.size());
+  parallel::for_ranges(system.context, rows.vertices.size(),
+                       [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t i = begin; i < end; ++i) {
+                           const std::size_t at = rows.vertices[i] * system.width;
+                           const bool known = i >= rows.row_count;
+                           const double* from = known ? x.data() : system.target.data();
+                           Four value{};
+                           for (std::size_t c = 0; c < system.width; ++c) value[c] = from[at + c];
+                           if (!known) target_[i].four = value;
+                           points_[0][i].four = points_[1][i].four = value;
+                         }
+                       });
+}
+
+std::optional<ErrorNorms> Wavefront::advance(std::span<const Sweep> sweeps) {
+  const std::size_t first = 1 - measured_;
+  const std::size_t levels = rows_.level_count();
+  const std::size_t last = sweeps.size() - 1;
+  ErrorNorms norms;
+  for (std::size_t front = 0; front < levels + last; ++front) {
+    if (system_.context.cancelled()) return std::nullopt;
+    for (std::size_t s = 0; s <= std::min(front, last); ++s) {
+      if (front - s >= levels) continue;
+      const std::size_t from = (first + s) % 2;
+      const Arrays arrays{target_.data(), points_[from].data(), points_[1 - from].data()};
+      if (s < last) {
+        sweep_level(rows_, front - s, arrays, sweeps[s]);
+      } else {
+        sweep_and_measure_level(rows_, front - s, arrays, sweeps[s], system_.scale, norms);
+      }
+    }
+  }
+  measured_ = (first + last) % 2;
+  return norms;
+}
+
+void Wavefront::copy(std::size_t from, std::span<double> x) const {
+  parallel::for_ranges(system_.context, rows_.row_count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t at = rows_.vertices[i] * system_.width;
+      for (std::size_t c = 0; c < system_.width; ++c) x[at + c] = points_[from][i].four[c];
+    }
+  });
+}
+
+namespace {
+
+constexpr unsigned kMostSweeps = 64;  // at once: more of them would leave the cache
+
+std::vector<Wavefront::Sweep> next_sweeps(SemiIteration& coefficients, unsigned count) {
+  std::vector<Wavefront::Sweep> sweeps;
+  for (unsigned k = 0; k < count; ++k) {
+    sweeps.push_back({coefficients.momentum(), coefficients.step()});
+    coefficients.advance();
+  }
+  return sweeps;
+}
+
+// Sweeps that bring an error down by `factor`.
+unsigned likely_sweeps(double factor, double reduction) {
+  const double wanted = std::ceil(std::log(factor) / -std::log(reduction));
+  return static_cast<unsigned>(std::clamp(wanted, 1.0, double{kMostSweeps}));
+}
+
+}  // namespace
+
+Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
+                            SemiIteration coefficients, Monitor& monitor, std::span<double> x) {
+  const SemiIteration start = coefficients;
+  Wavefront front(rows, system, x);
+  constexpr Wavefront::Sweep kStay{0, 0};
+  auto norms = front.advance({&kStay, 1});
+  Verdict verdict = norms ? monitor.record(*norms) : Verdict::cancelled;
+  bool again = true;  // the first point is measured a second time, by the first of the sweeps
+  while (verdict == Verdict::go_on) {
+    // Chebyshev's polynomials reach their rate after a loss of up to 2.
+    const double factor = monitor.excess() * (again ? 2 : 1);
+    const unsigned steps =
+        std::min(likely_sweeps(factor, coefficients.reduction()), monitor.iterations_left());
+    norms = front.advance(next_sweeps(coefficients, steps + (again ? 1 : 0)));
+    verdict = norms ? monitor.record(*norms, steps) : Verdict::cancelled;
+    again = false;
+  }
+  front.copy_measured(x);
+  const bool failed = verdict == Verdict::exhausted || verdict == Verdict::stalled;
+  if (failed && !monitor.keeps_best()) {
+    // The iteration is deterministic: its best point is found again by going there.
+    wavefront_iteration_blind(rows, system, start, monitor.best().iteration - 1, x);
+  }
+  return verdict;
+}
+
+bool wavefront_iteration_blind(const OrderedRows& rows, const LinearSystem& system,
+                               SemiIteration coefficients, unsigned sweeps, std::span<double> x) {
+  Wavefront front(rows, system, x);
+  for (unsigned done = 0; done < sweeps; done += kMostSweeps) {
+    const unsigned count = std::min(kMostSweeps, sweeps - done);
+    if (!front.advance(next_sweeps(coefficients, count))) return false;
+  }
+  front.copy_newest(x);
+  return true;
+}
+
+}  // namespace surpass
