@@ -33,10 +33,10 @@ HEAD = """# Iterations
 
 Evaluations of the limit that the surface takes, plus those of the boundary curves, until every given
 vertex is within a tolerance of 1e-3 / 1e-6 / 1e-12 of the box side: `surpass interpolate --scheme ...
---solver ... --tolerance ...`, boundary rule `edge-and-corner`. PI is the paper's progressive
-interpolation (`richardson`), Chebyshev runs on the proven interval, or on [0.1, 1] where none is
-proven (Catmull-Clark with interior valence 3), CG in the inner product that makes the operator
-symmetric. `{refused}`: refused (Suzanne has interior vertices of two faces,
+--solver ... --tolerance ... --history` (which tests after every sweep), boundary rule
+`edge-and-corner`. PI is the paper's progressive interpolation (`richardson`), Chebyshev runs on
+[lo, 1] with lo the larger one of the proven bound and of 0.8 times the mean of the rows' bounds, CG in
+the inner product that makes the operator symmetric. `{refused}`: refused (Suzanne has interior vertices of two faces,
 which CG does not take, and whose quads cannot be cut without a third face at an edge). For Loop
 surfaces polygons are cut into triangles. Made by `make papers`.
 """
@@ -49,7 +49,7 @@ def count(surpass, mesh, scheme, solver, tolerance, folder):
     subprocess.run(
         [surpass, "interpolate", mesh, "-o", folder / "control.ply", "--scheme", scheme, "--solver",
          solver, "--tolerance", tolerance, "--boundary", "edge-and-corner", "--report", report,
-         "--quiet"] + (["--triangulate"] if scheme == "loop" else []),
+         "--history", "--quiet"] + (["--triangulate"] if scheme == "loop" else []),
         stderr=subprocess.DEVNULL, check=False)
     found = json.loads(report.read_text())
     if not found.get("converged"):

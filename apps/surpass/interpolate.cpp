@@ -84,8 +84,10 @@ void Interpolate::define(Options& options) {
             "surpass predict); richardson and chebyshev")
       .group("Solver");
   options
-      .flag("--history", options_.full_history,
-            "Keep every iteration in the report; richardson always does")
+      .flag(
+          "--history", options_.full_history,
+          "Keep every iteration in the report; richardson always does, chebyshev then tests after "
+          "every sweep")
       .group("Solver");
   options
       .add("--only", only_path_,

@@ -19,7 +19,7 @@ enum class Solver {
   automatic,   ///< by what is proven of the mesh's operator (the default): chebyshev where a
                ///< bound is, conjugate_gradient or minimal_residual where only symmetry is,
                ///< chebyshev or bicgstab with darts and semi-sharp creases
-  chebyshev,   ///< Chebyshev acceleration on the proven spectrum interval
+  chebyshev,   ///< Chebyshev acceleration of the paper's iteration
   richardson,  ///< the paper's iteration, x <- x + (v - L x)
   conjugate_gradient,  ///< in the inner product that makes L symmetric; not with darts or
                        ///< semi-sharp creases, nor where eigenvalues may be negative
@@ -43,7 +43,8 @@ struct InterpolateOptions {
   /// (the paper, end of section 2). Richardson and Chebyshev, on meshes for which a bound is
   /// proven.
   bool direct = false;
-  /// Keep every iteration in the history, for any solver; Richardson always does.
+  /// Keep every iteration in the history, for any solver; Richardson always does. Chebyshev then
+  /// tests after every sweep, and not only where it is likely to be done.
   bool full_history = false;
   /// Interpolate only these vertices and leave the others of the control mesh as given; empty: all.
   std::vector<Index> only = {};

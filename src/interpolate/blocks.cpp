@@ -36,17 +36,20 @@ void demote_open_curves(const SparseRows& rows, std::vector<Role>& roles) {
 Block describe_block(const LimitOperator& op, std::vector<Index> vertices, Role role) {
   Block block;
   block.vertices = std::move(vertices);
+  double sum = 0;
   bool anchored = false;  // some row of its own keeps the block from being singular
   for (const Index v : block.vertices) {
     // Curve rows inside the surface block break its symmetry: their neighbours do not answer.
     const bool symmetric =
         op.symmetric_weight[v] > 0 && (op.on_curve[v] != 0) == (role == Role::curve);
     const double lowest = op.lowest_eigenvalue[v];
+    sum += lowest;
     if (symmetric) block.lowest = std::min(block.lowest, lowest);
     if (symmetric && lowest > 0) anchored = true;
     if (!symmetric) block.symmetric = false;
     if (block.obstacle == kNone && (!symmetric || lowest <= 0)) block.obstacle = v;
   }
+  if (!block.vertices.empty()) block.mean_lowest = sum / static_cast<double>(block.vertices.size());
   block.suspect = !block.proven() && (!anchored || block.lowest < 0);
   return block;
 }

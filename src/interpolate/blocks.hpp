@@ -19,6 +19,7 @@ struct Block {
   /// rows that alone would be. 0 where nothing but the sign is proven, negative where not even
   /// that.
   double lowest = 1;
+  double mean_lowest = 1;  ///< mean of the rows' bounds of the lowest eigenvalue, proven or not
   bool suspect = false;    ///< L may be singular on some component of the block
   Index obstacle = kNone;  ///< a vertex for which no bound is proven, if there is one
   /// The block's rows, where a semi-iteration may run on them and they could be ordered.

@@ -213,13 +213,13 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   report.box_side = box.side();
   report.tolerance = floored_tolerance(impl_->options.tolerance, target, *unit);
   const Task task{target, 3, *unit, report.tolerance, flat(std::span(solution.points))};
-  report.initial = initial_error(impl_->op, impl_->blocks, task, context);
   auto solved = solve_in_stages(*impl_, task, context, report.notes);
   if (!solved) return tl::make_unexpected(solved.error());
   report.converged = solved->converged();
   report.solver = solvers_used(*solved);
   report.boundary_iterations = solved->curve.final.iteration;
-  report.final = combine(*solved, impl_->blocks);
+  report.initial = initial_error(*impl_, *solved, task, context);
+  report.final = final_error(*solved, impl_->blocks);
   report.iterations = report.final.iteration;
   if (const BlockOutcome* longest = solved->longest()) report.history = longest->history;
   report.boundary_history = std::move(solved->curve.history);

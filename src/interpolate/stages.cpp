@@ -90,14 +90,13 @@ Result<void> require_compatible(const Prepared& prepared, const Task& task, cons
   return {};
 }
 
-}  // namespace
-
-Iteration combine(const Solved& solved, const Blocks& blocks) {
-  Iteration all = solved.curve.final;
+// `at` picks the iteration of a block's outcome that counts.
+Iteration combine(const Solved& solved, const Blocks& blocks, Iteration BlockOutcome::*at) {
+  Iteration all = solved.curve.*at;
   all.iteration = 0;
-  double sum = solved.curve.final.mean * static_cast<double>(blocks.curve.vertices.size());
+  double sum = all.mean * static_cast<double>(blocks.curve.vertices.size());
   for (std::size_t b = 0; b < blocks.surface.size(); ++b) {
-    const Iteration& part = solved.surface[b].final;
+    const Iteration& part = solved.surface[b].*at;
     all.iteration = std::max(all.iteration, part.iteration);
     all.max = std::max(all.max, part.max);
     sum += part.mean * static_cast<double>(blocks.surface[b].vertices.size());
@@ -106,24 +105,38 @@ Iteration combine(const Solved& solved, const Blocks& blocks) {
   return all;
 }
 
-// Errors of the targets themselves, taken as control points.
-Iteration initial_error(const LimitOperator& op, const Blocks& blocks, const Task& task,
+Iteration at_start(Iteration error) {
+  error.iteration = 0;
+  return error;
+}
+
+}  // namespace
+
+Iteration final_error(const Solved& solved, const Blocks& blocks) {
+  return combine(solved, blocks, &BlockOutcome::final);
+}
+
+Iteration initial_error(const Prepared& prepared, const Solved& solved, const Task& task,
                         const Context& context) {
+  // The first evaluation of a block is that of its targets; but a surface with curves in it starts
+  // when these are done.
+  const bool was_measured = prepared.blocks.curve.vertices.empty() && !prepared.options.direct;
+  if (was_measured) return at_start(combine(solved, prepared.blocks, &BlockOutcome::first));
   std::vector<double> r(task.target.size(), 0.0);
   const auto measure = [&](const Block& block) {
-    const LinearSystem system{op,     block, task.width, task.target, power_of_two_scale(task.unit),
-                              context};
+    const LinearSystem system{
+        prepared.op, block, task.width, task.target, power_of_two_scale(task.unit), context};
     const ErrorNorms norms = system.residual(task.target, r);
     const auto count = static_cast<double>(std::max<std::size_t>(1, block.vertices.size()));
     const double unit = task.unit * system.scale;
     BlockOutcome outcome;
-    outcome.final = {0, norms.max / unit, norms.sum / count / unit};
+    outcome.first = {1, norms.max / unit, norms.sum / count / unit};
     return outcome;
   };
   Solved start;
-  start.curve = measure(blocks.curve);
-  for (const Block& block : blocks.surface) start.surface.push_back(measure(block));
-  return combine(start, blocks);
+  start.curve = measure(prepared.blocks.curve);
+  for (const Block& block : prepared.blocks.surface) start.surface.push_back(measure(block));
+  return at_start(combine(start, prepared.blocks, &BlockOutcome::first));
 }
 
 std::string solvers_used(const Solved& solved) {

@@ -40,10 +40,10 @@ struct Solved {
 };
 
 /// Iterations are those of the longest surface block, errors those of all that is interpolated.
-[[nodiscard]] Iteration combine(const Solved& solved, const Blocks& blocks);
+[[nodiscard]] Iteration final_error(const Solved& solved, const Blocks& blocks);
 
 /// Errors of the targets themselves, taken as control points.
-[[nodiscard]] Iteration initial_error(const LimitOperator& op, const Blocks& blocks,
+[[nodiscard]] Iteration initial_error(const Prepared& prepared, const Solved& solved,
                                       const Task& task, const Context& context);
 
 /// Which solvers the surface took, or the curves where there was nothing else: "chebyshev".

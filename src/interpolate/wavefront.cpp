@@ -93,21 +93,24 @@ void sweep_and_measure_level(const OrderedRows& rows, std::size_t level, const A
 
 }  // namespace
 
+// Nothing is cleared first: fresh memory costs more to touch than to fill.
 Wavefront::Wavefront(const OrderedRows& rows, const LinearSystem& system, std::span<const double> x)
-    : rows_(rows), system_(system), target_(rows.row_count) {
-  for (auto& points : points_) points.resize(rows.vertices.size());
-  parallel::for_ranges(system.context, rows.vertices.size(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t i = begin; i < end; ++i) {
-                           const std::size_t at = rows.vertices[i] * system.width;
-                           const bool known = i >= rows.row_count;
-                           const double* from = known ? x.data() : system.target.data();
-                           Four value{};
-                           for (std::size_t c = 0; c < system.width; ++c) value[c] = from[at + c];
-                           if (!known) target_[i].four = value;
-                           points_[0][i].four = points_[1][i].four = value;
-                         }
-                       });
+    : rows_(rows),
+      system_(system),
+      target_(std::make_unique_for_overwrite<Values[]>(rows.row_count)) {
+  const std::size_t places = rows.vertices.size();
+  for (auto& points : points_) points = std::make_unique_for_overwrite<Values[]>(places);
+  parallel::for_ranges(system.context, places, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool known = i >= rows.row_count;
+      const double* from = known ? x.data() : system.target.data();
+      Four value{};
+      for (std::size_t c = 0; c < system.width; ++c)
+        value[c] = from[rows.vertices[i] * system.width + c];
+      if (!known) target_[i].four = value;
+      points_[0][i].four = points_[1][i].four = value;
+    }
+  });
 }
 
 std::optional<ErrorNorms> Wavefront::advance(std::span<const Sweep> sweeps) {
@@ -120,7 +123,7 @@ std::optional<ErrorNorms> Wavefront::advance(std::span<const Sweep> sweeps) {
     for (std::size_t s = 0; s <= std::min(front, last); ++s) {
       if (front - s >= levels) continue;
       const std::size_t from = (first + s) % 2;
-      const Arrays arrays{target_.data(), points_[from].data(), points_[1 - from].data()};
+      const Arrays arrays{target_.get(), points_[from].get(), points_[1 - from].get()};
       if (s < last) {
         sweep_level(rows_, front - s, arrays, sweeps[s]);
       } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -43,9 +44,9 @@ class Wavefront {
 
   const OrderedRows& rows_;
   const LinearSystem& system_;
-  std::vector<Values> target_;
-  std::array<std::vector<Values>, 2> points_;  // of two sweeps, taking turns
-  std::size_t measured_ = 1;                   // the older of them
+  std::unique_ptr<Values[]> target_;
+  std::array<std::unique_ptr<Values[]>, 2> points_;  // of two sweeps, taking turns
+  std::size_t measured_ = 1;                         // the older of them
 };
 
 /// semi_iteration on ordered rows: the sweeps that are likely to be needed are done without a test

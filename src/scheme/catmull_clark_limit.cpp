@@ -33,7 +33,6 @@ Result<LimitOperator> CatmullClark::limit_operator(const Mesh& mesh, const Topol
   if (!sharpness) return tl::make_unexpected(sharpness.error());
   const Index n = topology.vertex_count();
   LimitOperator op(n);
-  op.likely_lowest = 0.09;
   const VertexRows rows(topology, *sharpness, limit_row, limit_mask);
   op.rows = SparseRows::build(
       context, n, [&](Index v) { return rows.length(v); },

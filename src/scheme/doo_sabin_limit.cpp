@@ -138,7 +138,6 @@ Result<LimitOperator> DooSabin::limit_operator(const Mesh& mesh, const Topology&
   const Index n = topology.vertex_count();
 
   LimitOperator op(n);
-  op.likely_lowest = 0.25;
   op.rows = SparseRows::build(
       context, n,
       [&](Index v) -> Index {

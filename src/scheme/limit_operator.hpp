@@ -34,10 +34,6 @@ struct LimitOperator {
   /// weight.
   std::vector<double> lowest_eigenvalue;
 
-  /// Where the spectrum of ordinary meshes begins, measured: for iterations that converge whatever
-  /// it is, and best if it is right.
-  double likely_lowest = 0.1;
-
   /// #V: 1 where the row takes part in curves (boundaries, creases), 0 on the smooth surface.
   std::vector<unsigned char> on_curve;
 

@@ -58,7 +58,6 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
   const std::vector<double> betas = beta_table(valence);
 
   LimitOperator op(n);
-  op.likely_lowest = 0.2;
   const auto special_mask = [&](Index v) {
     return limit_mask(LoopRing::around(topology, *sharpness, rules.boundary, v));
   };
