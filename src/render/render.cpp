@@ -80,7 +80,7 @@ std::vector<Vec3> to_unit(const std::vector<Point>& points, const Camera& camera
 
 Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Context& context) {
   if (auto checked = check_options(options); !checked) return tl::make_unexpected(checked.error());
-  const auto display = picture::make_display_mesh(mesh, options);
+  const auto display = picture::make_display_mesh(mesh, options, context);
   if (!display) return tl::make_unexpected(display.error());
   const Camera camera = aim(mesh, *display, options);
   const std::vector<Vec3> points = to_unit(mesh.points, camera);
