@@ -32,9 +32,7 @@ std::pair<Vec3, Vec3> tangents(const Vec3& n) {
 }  // namespace
 
 SkyProbe::SkyProbe(const Scene& scene, int samples, float reach)
-    : scene_(scene),
-      rays_a_sample_(std::max(std::size_t{1}, kLeastRays / static_cast<std::size_t>(samples))),
-      rays_a_pixel_(std::max(kLeastRays, rays_a_sample_ * static_cast<std::size_t>(samples))) {
+    : scene_(scene), rays_a_pixel_(std::max(kLeastRays, static_cast<std::size_t>(samples))) {
   const std::size_t count = std::size_t{kPattern} * kPattern * rays_a_pixel_;
   for (std::size_t i = 0; i < count; ++i) {
     const double radius = std::sqrt(sequence(i, 0));  // cosine-weighted
@@ -46,51 +44,57 @@ SkyProbe::SkyProbe(const Scene& scene, int samples, float reach)
   }
 }
 
-float SkyProbe::openness(const SurfacePlace& place, int x, int y, int sample) const {
-  const std::size_t skipped = static_cast<std::size_t>(sample) * rays_a_sample_;
-  return open_share(place, first_ray(x, y) + skipped, rays_a_sample_);
+float SkyProbe::openness(std::span<const SurfacePlace> places, int x, int y) const {
+  const std::size_t rays_a_place = std::max(std::size_t{1}, kLeastRays / places.size());
+  std::span<const Ray> rays = std::span(rays_).subspan(first_ray(x, y), rays_a_pixel_);
+  std::vector<Probe> probes;
+  probes.reserve(rays_a_pixel_);
+  for (const SurfacePlace& place : places) {
+    aim(rays.first(rays_a_place), place, probes);
+    rays = rays.subspan(rays_a_place);
+  }
+  return 1 - static_cast<float>(scene_.count_blocked(probes)) /
+                 static_cast<float>(rays_a_place * places.size());
 }
 
-float SkyProbe::openness(const SurfacePlace& place, int x, int y) const {
-  return open_share(place, first_ray(x, y), kLeastRays);
-}
-
+// Pixels that measure whatever their neighbours are share the first half of the sequence, which is
+// even by itself.
 std::size_t SkyProbe::first_ray(int x, int y) const {
-  return static_cast<std::size_t>(x % kPattern + kPattern * (y % kPattern)) * rays_a_pixel_;
+  const int half = kPattern / 2;
+  const int column = (x % kPattern) / 2 + half * (y % kPattern);
+  const int phase = column + (measures(x, y) ? 0 : half * kPattern);
+  return static_cast<std::size_t>(phase) * rays_a_pixel_;
 }
 
-float SkyProbe::open_share(const SurfacePlace& place, std::size_t first, std::size_t count) const {
+void SkyProbe::aim(std::span<const Ray> rays, const SurfacePlace& place,
+                   std::vector<Probe>& probes) {
   const auto [u, v] = tangents(place.normal);
   const Vec3 origin = place.position + kOffset * place.facet;
-  int open = 0;
-  for (std::size_t i = first; i < first + count; ++i) {
-    const Vec3& d = rays_[i].direction;
+  for (const Ray& ray : rays) {
+    const Vec3& d = ray.direction;
     const Vec3 direction = d.x() * u + d.y() * v + d.z() * place.normal;
     // Below the facet is the surface that the smooth normal stands for: it does not block.
-    const bool below = direction.dot(place.facet) <= 0;
-    if (below || !scene_.is_blocked(origin, direction, rays_[i].length)) ++open;
+    if (direction.dot(place.facet) > 0) probes.push_back({origin, direction, ray.length});
   }
-  return static_cast<float>(open) / static_cast<float>(count);
 }
 
 float smoothed_openness(const Raster<Pixel>& band, int x, int y, float thickness) {
   const Pixel& here = band.at(x, y);
   const Vec3 normal = here.normal.normalized();
-  const Vec3 position = here.position / here.covered;
+  const Vec3 lifting = normal / thickness;
   float sum = 0;
   float total = 0;
   band.for_each_near(x, y, kOpennessRadius, [&](const Pixel& other, int dx, int dy) {
-    if (other.covered == 0) return;
+    if (!other.openness) return;
     // With half weights at its ends, a row of five pixels holds each column of the pattern once.
     const float share = (std::abs(dx) == 2 ? 0.5F : 1.0F) * (std::abs(dy) == 2 ? 0.5F : 1.0F);
-    const float alike = std::max(0.0F, normal.dot(other.normal) / other.covered);
-    const float lift = normal.dot(other.position / other.covered - position) / thickness;
-    const float weight =
-        share * (other.covered / other.samples) * alike * alike / (1 + lift * lift * lift * lift);
-    sum += weight * other.openness / other.covered;
+    const float alike = std::max(0.0F, normal.dot(other.normal));
+    const float lift = lifting.dot(other.position - here.position);
+    const float weight = share * other.covered * alike * alike / (1 + lift * lift * lift * lift);
+    sum += weight * *other.openness;
     total += weight;
   });
-  return total > 0 ? sum / total : here.openness / here.covered;
+  return total > 0 ? sum / total : here.openness.value_or(1);
 }
 
 }  // namespace surpass::picture

@@ -1,7 +1,9 @@
-// Ambient occlusion: corners and folds see less of the sky. A few rays a pixel, in a pattern that
-// repeats every 4 x 4 pixels, then a mean over such a block that does not cross edges.
+// Ambient occlusion: corners and folds see less of the sky. A few rays for every second pixel, in a
+// pattern that repeats every 4 x 4 pixels, then a mean over such a block that does not cross edges.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "render/raster.hpp"
@@ -10,14 +12,13 @@
 
 namespace surpass::picture {
 
-/// What the samples of a pixel saw, added up over those that met something.
+/// What the samples of a pixel saw: the mean over those that met something.
 struct Pixel {
   Light light;
   Vec3 position = Vec3::Zero();
   Vec3 normal = Vec3::Zero();
-  float openness = 0;
-  float covered = 0;  ///< number of samples that met something
-  float samples = 0;
+  float covered = 0;              ///< share of the samples that met something
+  std::optional<float> openness;  ///< where it was measured
 };
 
 /// Rays into the sky.
@@ -26,10 +27,10 @@ class SkyProbe {
   /// `reach` is the length beyond which nothing blocks.
   SkyProbe(const Scene& scene, int samples, float reach);
 
-  /// Part of the sky that is seen from a place in pixel (x, y), 0 to 1: by the rays of one of the
-  /// pixel's samples, or by those of a pixel that has a single one.
-  [[nodiscard]] float openness(const SurfacePlace& place, int x, int y, int sample) const;
-  [[nodiscard]] float openness(const SurfacePlace& place, int x, int y) const;
+  /// Part of the sky that is seen from the places that the samples in pixel (x, y) met, 0 to 1.
+  [[nodiscard]] float openness(std::span<const SurfacePlace> places, int x, int y) const;
+  /// Whether a pixel with neighbours like itself needs rays of its own.
+  [[nodiscard]] static bool measures(int x, int y) { return (x + y) % 2 == 0; }
 
  private:
   struct Ray {
@@ -37,11 +38,9 @@ class SkyProbe {
     float length;
   };
   [[nodiscard]] std::size_t first_ray(int x, int y) const;
-  [[nodiscard]] float open_share(const SurfacePlace& place, std::size_t first,
-                                 std::size_t count) const;
+  static void aim(std::span<const Ray> rays, const SurfacePlace& place, std::vector<Probe>& probes);
 
   const Scene& scene_;
-  std::size_t rays_a_sample_;
   std::size_t rays_a_pixel_;
   std::vector<Ray> rays_;
 };

@@ -5,24 +5,37 @@
 #include <cmath>
 #include <numbers>
 
+#include "parallel/parallel.hpp"
+
 namespace surpass::picture {
 namespace {
 
 using Eigen::Vector3d;
 
-std::vector<Vector3d> face_normals(const Mesh& mesh) {
-  std::vector<Vector3d> normals(mesh.face_count());
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    const Vector3d first = to_vector(mesh.points[face[0]]);
-    Vector3d area = Vector3d::Zero();
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      area += (to_vector(mesh.points[face[k - 1]]) - first)
-                  .cross(to_vector(mesh.points[face[k]]) - first);
-    }
-    normals[f] = area.stableNormalized();
+// A value for each of `n` faces, corners or edges.
+template <class T, class Value>
+std::vector<T> for_each_index(std::size_t n, const Context& context, const Value& value) {
+  std::vector<T> values(n);
+  parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) values[i] = value(static_cast<Index>(i));
+  });
+  return values;
+}
+
+Vector3d face_normal(const Mesh& mesh, Index f) {
+  const auto face = mesh.face(f);
+  const Vector3d first = to_vector(mesh.points[face[0]]);
+  Vector3d area = Vector3d::Zero();
+  for (std::size_t k = 2; k < face.size(); ++k) {
+    area += (to_vector(mesh.points[face[k - 1]]) - first)
+                .cross(to_vector(mesh.points[face[k]]) - first);
   }
-  return normals;
+  return area.stableNormalized();
+}
+
+std::vector<Vector3d> face_normals(const Mesh& mesh, const Context& context) {
+  return for_each_index<Vector3d>(mesh.face_count(), context,
+                                  [&](Index f) { return face_normal(mesh, f); });
 }
 
 const Channel* normal_channel(const Mesh& mesh) {
@@ -34,8 +47,13 @@ const Channel* normal_channel(const Mesh& mesh) {
 
 class Smoother {
  public:
-  Smoother(const Mesh& mesh, const Topology& topology, double crease_angle)
-      : mesh_(mesh), topology_(topology), given_(normal_channel(mesh)), faces_(face_normals(mesh)) {
+  Smoother(const Mesh& mesh, const Topology& topology, double crease_angle, const Context& context)
+      : mesh_(mesh),
+        topology_(topology),
+        given_(normal_channel(mesh)),
+        faces_(face_normals(mesh, context)),
+        angles_(for_each_index<double>(topology.corner_count(), context,
+                                       [this](Index h) { return corner_angle(h); })) {
     find_hard_edges(given_ != nullptr ? 180 : crease_angle);
   }
 
@@ -73,7 +91,7 @@ class Smoother {
     Vector3d sum = Vector3d::Zero();
     Index h = start;
     do {
-      sum += corner_angle(h) * faces_[topology_.face(h)];
+      sum += angles_[h] * faces_[topology_.face(h)];
       h = topology_.rotate(h);
     } while (h != kNone && h != start && !hard_[topology_.edge(h)]);
     const bool whole = h == start || (h == kNone && topology_.opposite(start) == kNone);
@@ -106,6 +124,7 @@ class Smoother {
   const Topology& topology_;
   const Channel* given_;
   std::vector<Vector3d> faces_;
+  std::vector<double> angles_;  // of the faces at their corners
   std::vector<bool> hard_;
   std::vector<bool> done_;
   std::vector<Vec3> normals_;
@@ -113,8 +132,8 @@ class Smoother {
 
 }  // namespace
 
-std::vector<Vec3> facet_normals(const Mesh& mesh) {
-  const std::vector<Vector3d> faces = face_normals(mesh);
+std::vector<Vec3> facet_normals(const Mesh& mesh, const Context& context) {
+  const std::vector<Vector3d> faces = face_normals(mesh, context);
   std::vector<Vec3> normals;
   normals.reserve(mesh.corner_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -123,8 +142,9 @@ std::vector<Vec3> facet_normals(const Mesh& mesh) {
   return normals;
 }
 
-std::vector<Vec3> smooth_normals(const Mesh& mesh, const Topology& topology, double crease_angle) {
-  return Smoother(mesh, topology, crease_angle).run();
+std::vector<Vec3> smooth_normals(const Mesh& mesh, const Topology& topology, double crease_angle,
+                                 const Context& context) {
+  return Smoother(mesh, topology, crease_angle, context).run();
 }
 
 }  // namespace surpass::picture

@@ -77,18 +77,20 @@ Result<void> check_positions(const Mesh& mesh) {
   return {};
 }
 
-Result<std::vector<Vec3>> shading_normals(const Mesh& mesh, const RenderOptions& options) {
+Result<std::vector<Vec3>> shading_normals(const Mesh& mesh, const RenderOptions& options,
+                                          const Context& context) {
   const auto topology = Topology::build(mesh);
   if (!topology && !drawable(topology.error().code)) return tl::make_unexpected(topology.error());
-  if (!topology || !options.smooth) return facet_normals(mesh);
-  return smooth_normals(mesh, *topology, options.crease_angle);
+  if (!topology || !options.smooth) return facet_normals(mesh, context);
+  return smooth_normals(mesh, *topology, options.crease_angle, context);
 }
 
 }  // namespace
 
-Result<DisplayMesh> make_display_mesh(const Mesh& mesh, const RenderOptions& options) {
+Result<DisplayMesh> make_display_mesh(const Mesh& mesh, const RenderOptions& options,
+                                      const Context& context) {
   if (auto checked = check_positions(mesh); !checked) return tl::make_unexpected(checked.error());
-  auto normals = shading_normals(mesh, options);
+  auto normals = shading_normals(mesh, options, context);
   if (!normals) return tl::make_unexpected(normals.error());
   DisplayMesh display{cut_into_triangles(mesh), std::move(*normals)};
   if (display.triangles.empty()) {
@@ -100,10 +102,14 @@ Result<DisplayMesh> make_display_mesh(const Mesh& mesh, const RenderOptions& opt
 }
 
 std::vector<Point> drawn_points(const Mesh& mesh, const DisplayMesh& display) {
-  std::vector<Point> points;
-  points.reserve(3 * display.triangles.size());
+  std::vector<bool> drawn(mesh.vertex_count());
   for (const Triangle& triangle : display.triangles) {
-    for (const Index v : triangle.vertices) points.push_back(mesh.points[v]);
+    for (const Index v : triangle.vertices) drawn[v] = true;
+  }
+  std::vector<Point> points;
+  points.reserve(mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (drawn[v]) points.push_back(mesh.points[v]);
   }
   return points;
 }

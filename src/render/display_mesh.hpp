@@ -23,7 +23,8 @@ struct DisplayMesh {
 
 /// Flat facets where `options` asks for them and where the mesh is no oriented manifold. Fails for
 /// indices out of range, positions that are not finite, and where there is nothing to draw.
-[[nodiscard]] Result<DisplayMesh> make_display_mesh(const Mesh& mesh, const RenderOptions& options);
+[[nodiscard]] Result<DisplayMesh> make_display_mesh(const Mesh& mesh, const RenderOptions& options,
+                                                    const Context& context = {});
 
 /// The mesh's positions at the corners of what is drawn.
 [[nodiscard]] std::vector<Point> drawn_points(const Mesh& mesh, const DisplayMesh& display);

@@ -1,7 +1,8 @@
-// Pictures beside each other, and as PNG files by libpng's simplified interface.
+// Pictures beside each other, and as PNG files by libpng.
 #include <surpass/render.hpp>
 
 #include <algorithm>
+#include <csetjmp>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -18,6 +19,36 @@ Result<void> check_image(const Image& image) {
                             image.width, image.height, image.pixels.size()));
   }
   return {};
+}
+
+// On smooth shades one filter and little search give files as small as libpng's defaults do, in a
+// third of the time.
+constexpr int kFilter = PNG_FILTER_SUB;
+constexpr int kCompression = 4;
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+// Without these two libpng prints.
+[[noreturn]] void stop(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+void ignore(png_structp, png_const_charp) {}
+
+// False if libpng failed. It leaves by longjmp, so nothing here may need a destructor.
+bool write_png(png_structp png, png_infop info, const Image& image) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  const auto width = static_cast<png_uint_32>(image.width);
+  const auto height = static_cast<png_uint_32>(image.height);
+  png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  png_set_filter(png, PNG_FILTER_TYPE_DEFAULT, kFilter);
+  png_set_compression_level(png, kCompression);
+  png_write_info(png, info);
+  const std::size_t row = std::size_t{3} * width;
+  for (std::size_t y = 0; y < height; ++y) png_write_row(png, &image.pixels[y * row]);
+  png_write_end(png, info);
+  return true;
 }
 
 }  // namespace
@@ -47,19 +78,16 @@ Result<Image> beside(const std::vector<Image>& images) {
 
 Result<std::string> encode_png(const Image& image) {
   if (auto checked = check_image(image); !checked) return tl::make_unexpected(checked.error());
-  png_image png = {};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(image.width);
-  png.height = static_cast<png_uint_32>(image.height);
-  png.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  std::string bytes(size, '\0');
-  const int written =
-      png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr);
-  if (written == 0) {
-    return fail(ErrorCode::cannot_write, fmt::format("libpng failed: {}", png.message));
+  std::string bytes;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, stop, ignore);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  bool written = false;
+  if (info != nullptr) {
+    png_set_write_fn(png, &bytes, append, nullptr);
+    written = write_png(png, info, image);
   }
-  bytes.resize(size);
+  png_destroy_write_struct(&png, &info);
+  if (!written) return fail(ErrorCode::cannot_write, "libpng could not make a file of the picture");
   return bytes;
 }
 

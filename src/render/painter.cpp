@@ -8,6 +8,7 @@
 namespace surpass::picture {
 namespace {
 
+constexpr int kBandRows = 128;  // bounds the memory
 constexpr std::size_t kRowsAChunk = 4;
 constexpr float kReach = 0.6F;       // of occlusion, in box sides
 constexpr float kThickness = 0.02F;  // of a piece of the surface, in box sides
@@ -22,15 +23,22 @@ const Colour kLine = {0.035F, 0.037F, 0.042F};
 constexpr float kLineStrength = 0.75F;
 
 template <class Body>
-void for_each_pixel(const Context& context, int width, int first, int last, const Body& body) {
+void for_each_row(const Context& context, int first, int last, const Body& body) {
   parallel::for_ranges(
       context, static_cast<std::size_t>(last - first),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end && !context.cancelled(); ++row) {
-          for (int x = 0; x < width; ++x) body(x, first + static_cast<int>(row));
+          body(first + static_cast<int>(row));
         }
       },
       kRowsAChunk);
+}
+
+template <class Body>
+void for_each_pixel(const Context& context, int width, int first, int last, const Body& body) {
+  for_each_row(context, first, last, [&](int y) {
+    for (int x = 0; x < width; ++x) body(x, y);
+  });
 }
 
 Vec2 centre(int x, int y) { return {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F}; }
@@ -50,17 +58,35 @@ Painter::Painter(const DisplayMesh& display, std::span<const Vec3> points, const
   if (options.edges) lines_.emplace(points, camera);
 }
 
-void Painter::paint(int begin, int end, Image& image, const Context& context) const {
+bool Painter::paint(Image& image, const Context& context) const {
+  Band band(width_);
+  for (int y = 0; y < height_; y += kBandRows) {
+    const int end = std::min(height_, y + kBandRows);
+    paint_rows(y, end, band, image, context);
+    if (context.cancelled()) return false;
+    context.report({.stage = "render", .fraction = static_cast<double>(end) / height_});
+  }
+  return true;
+}
+
+void Painter::paint_rows(int begin, int end, Band& band, Image& image,
+                         const Context& context) const {
   const auto rows = [&](int around) {
     return std::pair(std::max(0, begin - around), std::min(height_, end + around));
   };
   const auto [seen_first, seen_last] = rows(kOpennessRadius + 1);
-  Raster<std::optional<Sight>> seen(width_, seen_first, seen_last);
-  for_each_pixel(context, width_, seen_first, seen_last,
-                 [&](int x, int y) { seen.at(x, y) = look(centre(x, y)); });
+  auto& seen = band.seen;
+  seen.cover(seen_first, seen_last);
+  for_each_row(context, seen_first, seen_last, [&](int y) {
+    std::vector<Vec2> places;
+    places.reserve(static_cast<std::size_t>(width_));
+    for (int x = 0; x < width_; ++x) places.push_back(centre(x, y));
+    look(places, seen.row(y));
+  });
 
   const auto [lit_first, lit_last] = rows(kOpennessRadius);
-  Raster<Pixel> lit(width_, lit_first, lit_last);
+  auto& lit = band.lit;
+  lit.cover(lit_first, lit_last);
   for_each_pixel(context, width_, lit_first, lit_last, [&](int x, int y) {
     lit.at(x, y) =
         side_ == 1 || is_plain(seen, x, y) ? plain_pixel(seen.at(x, y), x, y) : sample_pixel(x, y);
@@ -75,19 +101,27 @@ void Painter::paint(int begin, int end, Image& image, const Context& context) co
   });
 }
 
-std::optional<Painter::Sight> Painter::look(const Vec2& place) const {
-  const Vec3 ray = camera_.ray(place.x(), place.y());
-  const std::optional<Hit> hit = scene_.first_hit(camera_.eye(), ray);
-  if (!hit) return std::nullopt;
-  Sight sight{{}, hit->triangle};
+void Painter::look(std::span<const Vec2> places, Sights sights) const {
+  std::vector<Vec3> rays;
+  rays.reserve(places.size());
+  for (const Vec2& place : places) rays.push_back(camera_.ray(place.x(), place.y()));
+  std::vector<std::optional<Hit>> hits(places.size());
+  scene_.first_hits(camera_.eye(), rays, hits);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    sights[i] = hits[i] ? std::optional(describe(*hits[i], rays[i])) : std::nullopt;
+  }
+}
+
+Painter::Sight Painter::describe(const Hit& hit, const Vec3& ray) const {
+  Sight sight{{}, hit.triangle};
   SurfacePlace& seen = sight.place;
-  seen.position = hit->position;
+  seen.position = hit.position;
   seen.to_eye = -ray.normalized();
-  seen.ball = hit->triangle == kNone;
-  const float side = hit->normal.dot(ray) > 0 ? -1.0F : 1.0F;
+  seen.ball = hit.triangle == kNone;
+  const float side = hit.normal.dot(ray) > 0 ? -1.0F : 1.0F;
   seen.back = !seen.ball && side < 0;
-  seen.facet = side * hit->normal;
-  const Vec3 normal = side * shading_normal(*hit);
+  seen.facet = side * hit.normal;
+  const Vec3 normal = side * shading_normal(hit);
   // Near the outline an averaged normal can point away although its facet is seen.
   const float away = std::min(0.0F, normal.dot(seen.to_eye));
   seen.normal = (normal - away * seen.to_eye).normalized();
@@ -125,32 +159,57 @@ bool Painter::is_plain(const Raster<std::optional<Sight>>& first, int x, int y) 
 
 Pixel Painter::plain_pixel(const std::optional<Sight>& sight, int x, int y) const {
   Pixel pixel;
-  pixel.samples = 1;
-  if (sight) add(pixel, *sight, centre(x, y), 1, sky_.openness(sight->place, x, y));
+  if (!sight) return pixel;
+  pixel.light = shade(*sight, centre(x, y), 1);
+  pixel.position = sight->place.position;
+  pixel.normal = sight->place.normal;
+  pixel.covered = 1;
+  if (SkyProbe::measures(x, y)) pixel.openness = sky_.openness({&sight->place, 1}, x, y);
+  return pixel;
+}
+
+Pixel Painter::sample_pixel(int x, int y) const {
+  const std::vector<Vec2> places = sample_places(x, y);
+  std::vector<std::optional<Sight>> sights(places.size());
+  look(places, sights);
+  Pixel pixel;
+  std::vector<SurfacePlace> met;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!sights[i]) continue;
+    const Light light = shade(*sights[i], places[i], 1 / static_cast<float>(side_));
+    pixel.light.direct += light.direct;
+    pixel.light.sky += light.sky;
+    pixel.position += sights[i]->place.position;
+    pixel.normal += sights[i]->place.normal;
+    met.push_back(sights[i]->place);
+  }
+  if (met.empty()) return pixel;
+  const auto count = static_cast<float>(met.size());
+  pixel.light.direct /= count;
+  pixel.light.sky /= count;
+  pixel.position /= count;
+  pixel.normal /= count;
+  pixel.covered = count / static_cast<float>(places.size());
+  pixel.openness = sky_.openness(met, x, y);
   return pixel;
 }
 
 // The samples' places are even in x, in y and in the plane (Kensler, Correlated multi-jittered
 // sampling, 2013), so that nearly level edges get as many shades as others.
-Pixel Painter::sample_pixel(int x, int y) const {
-  Pixel pixel;
+std::vector<Vec2> Painter::sample_places(int x, int y) const {
+  std::vector<Vec2> places;
   const auto n = static_cast<float>(side_);
-  pixel.samples = n * n;
   for (int j = 0; j < side_; ++j) {
     for (int i = 0; i < side_; ++i) {
       const Vec2 cell(static_cast<float>(i), static_cast<float>(j));
       const Vec2 within((cell.y() + 0.5F) / n, (cell.x() + 0.5F) / n);
-      const Vec2 place = Vec2(static_cast<float>(x), static_cast<float>(y)) + (cell + within) / n;
-      const std::optional<Sight> sight = look(place);
-      if (!sight) continue;
-      add(pixel, *sight, place, 1 / n, sky_.openness(sight->place, x, y, i + side_ * j));
+      places.emplace_back(Vec2(static_cast<float>(x), static_cast<float>(y)) + (cell + within) / n);
     }
   }
-  return pixel;
+  return places;
 }
 
-void Painter::add(Pixel& pixel, const Sight& sight, const Vec2& place, float spacing,
-                  float open) const {
+Light Painter::shade(const Sight& sight, const Vec2& place, float spacing) const {
   Light light = style_(sight.place, camera_);
   if (lines_ && sight.triangle != kNone) {
     const Triangle& triangle = display_.triangles[sight.triangle];
@@ -158,24 +217,18 @@ void Painter::add(Pixel& pixel, const Sight& sight, const Vec2& place, float spa
     light.direct += line * (kLine - light.direct);
     light.sky *= 1 - line;
   }
-  pixel.light.direct += light.direct;
-  pixel.light.sky += light.sky;
-  pixel.position += sight.place.position;
-  pixel.normal += sight.place.normal;
-  pixel.openness += open;
-  pixel.covered += 1;
+  return light;
 }
 
 // The colour of a pixel from the light that it saw, over the background.
 Colour Painter::develop(const Raster<Pixel>& band, int x, int y) const {
   const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(height_);
-  Colour background = kTop + (kBottom - kTop) * down;
+  const Colour background = kTop + (kBottom - kTop) * down;
   const Pixel& pixel = band.at(x, y);
   if (pixel.covered == 0) return background;
   const float open = smoothed_openness(band, x, y, kThickness * camera_.unit_side());
-  return (pixel.light.direct + pixel.light.sky * open +
-          background * (pixel.samples - pixel.covered)) /
-         pixel.samples;
+  const Colour surface = pixel.light.direct + pixel.light.sky * open;
+  return surface * pixel.covered + background * (1 - pixel.covered);
 }
 
 }  // namespace surpass::picture

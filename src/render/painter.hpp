@@ -18,9 +18,8 @@ class Painter {
   Painter(const DisplayMesh& display, std::span<const Vec3> points, const Scene& scene,
           const Camera& camera, const RenderOptions& options);
 
-  /// Rows [begin, end) of the picture into `image`, which has its full size. What they need of the
-  /// rows around is computed again for every call, so that bands bound the memory.
-  void paint(int begin, int end, Image& image, const Context& context) const;
+  /// The picture into `image`, which has its size; false if it was cancelled.
+  [[nodiscard]] bool paint(Image& image, const Context& context) const;
 
  private:
   struct Sight {
@@ -28,12 +27,23 @@ class Painter {
     Index triangle;  // or kNone for a ball
   };
 
-  [[nodiscard]] std::optional<Sight> look(const Vec2& place) const;
+  // A band of rows, and what it needs of the rows around, which is computed again for every band.
+  struct Band {
+    explicit Band(int width) : seen(width), lit(width) {}
+    Raster<std::optional<Sight>> seen;
+    Raster<Pixel> lit;
+  };
+  using Sights = std::span<std::optional<Sight>>;
+
+  void paint_rows(int begin, int end, Band& band, Image& image, const Context& context) const;
+  void look(std::span<const Vec2> places, Sights sights) const;
+  [[nodiscard]] Sight describe(const Hit& hit, const Vec3& ray) const;
   [[nodiscard]] Vec3 shading_normal(const Hit& hit) const;
   [[nodiscard]] bool is_plain(const Raster<std::optional<Sight>>& first, int x, int y) const;
-  [[nodiscard]] Pixel sample_pixel(int x, int y) const;
   [[nodiscard]] Pixel plain_pixel(const std::optional<Sight>& sight, int x, int y) const;
-  void add(Pixel& pixel, const Sight& sight, const Vec2& place, float spacing, float open) const;
+  [[nodiscard]] Pixel sample_pixel(int x, int y) const;
+  [[nodiscard]] std::vector<Vec2> sample_places(int x, int y) const;
+  [[nodiscard]] Light shade(const Sight& sight, const Vec2& place, float spacing) const;
   [[nodiscard]] Colour develop(const Raster<Pixel>& band, int x, int y) const;
 
   const DisplayMesh& display_;

@@ -1,7 +1,9 @@
 // Values for a band of a picture's rows.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace surpass::picture {
@@ -10,11 +12,14 @@ namespace surpass::picture {
 template <class T>
 class Raster {
  public:
-  Raster(int width, int first, int last)
-      : width_(width),
-        first_(first),
-        last_(last),
-        values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(last - first)) {}
+  explicit Raster(int width) : width_(width) {}
+
+  /// Goes to other rows and keeps the memory; what the values are is unspecified.
+  void cover(int first, int last) {
+    first_ = first;
+    last_ = last;
+    values_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(last - first));
+  }
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int first() const { return first_; }
@@ -22,15 +27,17 @@ class Raster {
 
   [[nodiscard]] T& at(int x, int y) { return values_[place(x, y)]; }
   [[nodiscard]] const T& at(int x, int y) const { return values_[place(x, y)]; }
+  [[nodiscard]] std::span<T> row(int y) {
+    return std::span(values_).subspan(place(0, y), static_cast<std::size_t>(width_));
+  }
 
   /// Calls visit(value) for those of the pixels at most `radius` rows and columns away that the
   /// band has, with their offset.
   template <class Visit>
   void for_each_near(int x, int y, int radius, Visit&& visit) const {
-    for (int j = y - radius; j <= y + radius; ++j) {
-      if (j < first_ || j >= last_) continue;
-      for (int i = x - radius; i <= x + radius; ++i) {
-        if (i >= 0 && i < width_) visit(at(i, j), i - x, j - y);
+    for (int j = std::max(first_, y - radius); j < std::min(last_, y + radius + 1); ++j) {
+      for (int i = std::max(0, x - radius); i < std::min(width_, x + radius + 1); ++i) {
+        visit(at(i, j), i - x, j - y);
       }
     }
   }
@@ -42,8 +49,8 @@ class Raster {
   }
 
   int width_;
-  int first_;
-  int last_;
+  int first_ = 0;
+  int last_ = 0;
   std::vector<T> values_;
 };
 

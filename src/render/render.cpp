@@ -1,4 +1,4 @@
-// Checks what is asked for, sets up camera and scene, and paints band by band.
+// Checks what is asked for, sets up camera and scene, and paints.
 #include <surpass/render.hpp>
 
 #include <algorithm>
@@ -21,7 +21,6 @@ using picture::Vec3;
 
 constexpr int kLargestSize = 16384;
 constexpr int kMostSamples = 1024;
-constexpr int kBandRows = 128;
 
 Result<void> check_options(const RenderOptions& options) {
   const auto refuse = [](std::string message) {
@@ -80,7 +79,7 @@ std::vector<Vec3> to_unit(const std::vector<Point>& points, const Camera& camera
 
 Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Context& context) {
   if (auto checked = check_options(options); !checked) return tl::make_unexpected(checked.error());
-  const auto display = picture::make_display_mesh(mesh, options);
+  const auto display = picture::make_display_mesh(mesh, options, context);
   if (!display) return tl::make_unexpected(display.error());
   const Camera camera = aim(mesh, *display, options);
   const std::vector<Vec3> points = to_unit(mesh.points, camera);
@@ -97,12 +96,8 @@ Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Conte
   Image image{options.width, options.height, {}};
   image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(options.width) *
                       static_cast<std::size_t>(options.height));
-  for (int y = 0; y < options.height; y += kBandRows) {
-    painter.paint(y, std::min(options.height, y + kBandRows), image, limited);
-    if (context.cancelled()) return fail(ErrorCode::cancelled, "the picture was cancelled");
-    context.report(
-        {.stage = "render",
-         .fraction = std::min(1.0, static_cast<double>(y + kBandRows) / options.height)});
+  if (!painter.paint(image, limited)) {
+    return fail(ErrorCode::cancelled, "the picture was cancelled");
   }
   return image;
 }

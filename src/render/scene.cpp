@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -21,24 +22,33 @@ T* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::s
   return static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
 }
 
+// Rays that Embree follows together.
+constexpr std::size_t kPacket = 8;
+using Valid = std::array<int, kPacket>;  // -1 for rays to follow, 0 for others
+
 // Of two hits at the same distance (on a common edge, of duplicate faces) Embree keeps the one that
 // it meets first, which depends on how its hierarchy was built. Here the smaller number wins.
-struct NearestHit {
+struct NearestHits {
+  using Rank = std::tuple<float, unsigned, unsigned>;  // distance, geometry and primitive
+
   RTCIntersectContext context;  // first: Embree hands back its address
-  float distance = std::numeric_limits<float>::infinity();
-  std::pair<unsigned, unsigned> number = {};  // geometry and primitive
+  std::array<Rank, kPacket> ranks;
 };
 
 void keep_nearest(const RTCFilterFunctionNArguments* arguments) {
-  auto& nearest = *reinterpret_cast<NearestHit*>(arguments->context);
-  const float distance = reinterpret_cast<const RTCRay*>(arguments->ray)->tfar;
-  const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
-  const std::pair number(hit.geomID, hit.primID);
-  if (std::pair(distance, number) < std::pair(nearest.distance, nearest.number)) {
-    nearest.distance = distance;
-    nearest.number = number;
-  } else {
-    arguments->valid[0] = 0;
+  auto& nearest = *reinterpret_cast<NearestHits*>(arguments->context);
+  const unsigned n = arguments->N;
+  for (unsigned i = 0; i < n; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const NearestHits::Rank rank(RTCRayN_tfar(arguments->ray, n, i),
+                                 RTCHitN_geomID(arguments->hit, n, i),
+                                 RTCHitN_primID(arguments->hit, n, i));
+    NearestHits::Rank& least = nearest.ranks[RTCRayN_id(arguments->ray, n, i)];
+    if (rank < least) {
+      least = rank;
+    } else {
+      arguments->valid[i] = 0;
+    }
   }
 }
 
@@ -50,17 +60,27 @@ void attach(RTCScene scene, RTCGeometry geometry, unsigned id) {
   rtcReleaseGeometry(geometry);
 }
 
-RTCRay make_ray(const Vec3& origin, const Vec3& direction, float length, unsigned mask) {
-  RTCRay ray = {};
-  ray.org_x = origin.x();
-  ray.org_y = origin.y();
-  ray.org_z = origin.z();
-  ray.dir_x = direction.x();
-  ray.dir_y = direction.y();
-  ray.dir_z = direction.z();
-  ray.tfar = length;
-  ray.mask = mask;
-  return ray;
+void set_ray(RTCRay8& rays, std::size_t i, const Probe& probe, unsigned mask) {
+  rays.org_x[i] = probe.origin.x();
+  rays.org_y[i] = probe.origin.y();
+  rays.org_z[i] = probe.origin.z();
+  rays.dir_x[i] = probe.direction.x();
+  rays.dir_y[i] = probe.direction.y();
+  rays.dir_z[i] = probe.direction.z();
+  rays.tfar[i] = probe.length;
+  rays.mask[i] = mask;
+  rays.id[i] = static_cast<unsigned>(i);
+}
+
+// Calls follow(first, count, valid) for the consecutive packets of `n` rays.
+template <class Follow>
+void for_packets(std::size_t n, const Follow& follow) {
+  for (std::size_t first = 0; first < n; first += kPacket) {
+    const std::size_t count = std::min(kPacket, n - first);
+    alignas(32) Valid valid = {};
+    std::fill_n(valid.begin(), count, -1);
+    follow(first, count, valid);
+  }
 }
 
 }  // namespace
@@ -114,44 +134,57 @@ void Scene::add_balls(std::span<const Vec3> balls, float radius) {
   attach(scene_.get(), geometry, kBalls);
 }
 
-std::optional<Hit> Scene::first_hit(const Vec3& origin, const Vec3& direction) const {
-  NearestHit nearest;
-  rtcInitIntersectContext(&nearest.context);
-  nearest.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  RTCRayHit found = {};
-  found.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity(), kAll);
-  found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_.get(), &nearest.context, &found);
-  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return describe_hit(found);
+void Scene::first_hits(const Vec3& origin, std::span<const Vec3> directions,
+                       std::span<std::optional<Hit>> hits) const {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  for_packets(directions.size(), [&](std::size_t first, std::size_t count, const Valid& valid) {
+    NearestHits nearest;
+    nearest.ranks.fill({kFar, 0, 0});
+    rtcInitIntersectContext(&nearest.context);
+    nearest.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCRayHit8 found = {};
+    for (std::size_t i = 0; i < count; ++i) {
+      set_ray(found.ray, i, {origin, directions[first + i], kFar}, kAll);
+      found.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect8(valid.data(), scene_.get(), &nearest.context, &found);
+    for (std::size_t i = 0; i < count; ++i) hits[first + i] = describe_hit(found, i);
+  });
 }
 
-Hit Scene::describe_hit(const RTCRayHit& found) const {
-  const RTCRay& ray = found.ray;
-  const Vec3 origin(ray.org_x, ray.org_y, ray.org_z);
-  const Vec3 direction(ray.dir_x, ray.dir_y, ray.dir_z);
+std::optional<Hit> Scene::describe_hit(const RTCRayHit8& found, std::size_t i) const {
+  if (found.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const RTCRay8& ray = found.ray;
   Hit hit;
-  if (found.hit.geomID == kBalls) {
-    hit.position = origin + ray.tfar * direction;
-    hit.normal = (hit.position - balls_[found.hit.primID]).normalized();
+  if (found.hit.geomID[i] == kBalls) {
+    const Vec3 origin(ray.org_x[i], ray.org_y[i], ray.org_z[i]);
+    const Vec3 direction(ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]);
+    hit.position = origin + ray.tfar[i] * direction;
+    hit.normal = (hit.position - balls_[found.hit.primID[i]]).normalized();
     return hit;
   }
   // From the corners rather than along the ray: exact to a few units in the last place.
-  hit.triangle = found.hit.primID;
+  hit.triangle = found.hit.primID[i];
   const auto& [a, b, c] = triangles_[hit.triangle].vertices;
-  hit.weights = {1 - found.hit.u - found.hit.v, found.hit.u, found.hit.v};
-  hit.position =
-      hit.weights[0] * points_[a] + hit.weights[1] * points_[b] + hit.weights[2] * points_[c];
+  const float u = found.hit.u[i];
+  const float v = found.hit.v[i];
+  hit.weights = {1 - u - v, u, v};
+  hit.position = hit.weights[0] * points_[a] + u * points_[b] + v * points_[c];
   hit.normal = (points_[b] - points_[a]).cross(points_[c] - points_[a]).stableNormalized();
   return hit;
 }
 
-bool Scene::is_blocked(const Vec3& origin, const Vec3& direction, float length) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRay ray = make_ray(origin, direction, length, kSurface);
-  rtcOccluded1(scene_.get(), &context, &ray);
-  return ray.tfar < 0;
+std::size_t Scene::count_blocked(std::span<const Probe> probes) const {
+  std::size_t blocked = 0;
+  for_packets(probes.size(), [&](std::size_t first, std::size_t count, const Valid& valid) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay8 rays = {};
+    for (std::size_t i = 0; i < count; ++i) set_ray(rays, i, probes[first + i], kSurface);
+    rtcOccluded8(valid.data(), scene_.get(), &context, &rays);
+    for (std::size_t i = 0; i < count; ++i) blocked += rays.tfar[i] < 0 ? 1 : 0;
+  });
+  return blocked;
 }
 
 }  // namespace surpass::picture

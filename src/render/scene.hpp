@@ -19,6 +19,14 @@ struct Hit {
   Vec3 normal = Vec3::Zero();   ///< of the triangle's plane or the ball, of unit length
 };
 
+/// A ray that something may block.
+struct Probe {
+  Vec3 origin;
+  Vec3 direction;
+  float length;  ///< in lengths of `direction`
+};
+
+/// Rays are followed many at a time, which takes a fraction of the time of one by one.
 class Scene {
  public:
   /// `points` and `balls` are in the unit frame. Keeps the spans. While a scene exists Embree
@@ -26,10 +34,11 @@ class Scene {
   static Result<Scene> build(std::span<const Vec3> points, std::span<const Triangle> triangles,
                              std::span<const Vec3> balls, float ball_radius, int threads);
 
-  /// The first hit in front of `origin`. `direction` need not be of unit length.
-  [[nodiscard]] std::optional<Hit> first_hit(const Vec3& origin, const Vec3& direction) const;
-  /// Whether the surface (not a ball) lies within `length` times `direction`.
-  [[nodiscard]] bool is_blocked(const Vec3& origin, const Vec3& direction, float length) const;
+  /// The first hit in front of `origin` along each direction, which need not be of unit length.
+  void first_hits(const Vec3& origin, std::span<const Vec3> directions,
+                  std::span<std::optional<Hit>> hits) const;
+  /// How many of the probes the surface (not a ball) blocks.
+  [[nodiscard]] std::size_t count_blocked(std::span<const Probe> probes) const;
 
  private:
   struct Release {
@@ -38,7 +47,7 @@ class Scene {
   };
   void add_triangles(std::span<const Vec3> points, std::span<const Triangle> triangles);
   void add_balls(std::span<const Vec3> balls, float radius);
-  [[nodiscard]] Hit describe_hit(const RTCRayHit& found) const;
+  [[nodiscard]] std::optional<Hit> describe_hit(const RTCRayHit8& found, std::size_t i) const;
 
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;

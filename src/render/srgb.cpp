@@ -19,7 +19,7 @@ SrgbTable::SrgbTable() {
 
 std::uint8_t SrgbTable::operator()(float linear) const {
   if (!(linear > 0)) return 0;
-  return bytes_[static_cast<std::size_t>(std::lround(std::min(linear, 1.0F) * kLast))];
+  return bytes_[static_cast<std::size_t>(std::min(linear, 1.0F) * kLast + 0.5F)];
 }
 
 }  // namespace surpass::picture

@@ -189,6 +189,32 @@ TEST(RenderPicture, FoldsAreDarker) {
   EXPECT_LE(std::abs(darkening(far_away)), 2);
 }
 
+// Only every second pixel sends rays into the sky: it may not show.
+TEST(RenderPicture, ShadesOfFoldsAreEven) {
+  Mesh bowl = sphere(128, 64);
+  for (Index f = 0; f < bowl.face_count(); ++f) {
+    double front = 0;
+    for (const Index v : bowl.face(f)) front += bowl.points[v][2];
+    if (front > 0) bowl.hole_faces.push_back(f);
+  }
+  const Image image = draw(bowl, from_front(400, 400));
+  const auto in_disc = [](int x, int y) { return std::hypot(x - 199.5, y - 199.5) < 150; };
+  int darkest = 765;
+  int brightest = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (!in_disc(x, y)) continue;
+      const int here = brightness(image, x, y);
+      const int around = brightness(image, x - 1, y) + brightness(image, x + 1, y) +
+                         brightness(image, x, y - 1) + brightness(image, x, y + 1);
+      EXPECT_LE(std::abs(4 * here - around), 4 * 3) << x << ", " << y;
+      darkest = std::min(darkest, here);
+      brightest = std::max(brightest, here);
+    }
+  }
+  EXPECT_GT(brightest, darkest + 100);
+}
+
 TEST(RenderPicture, SameBitsForAnyNumberOfThreads) {
   Mesh mesh = sphere(60, 30);
   RenderOptions options;
