@@ -105,8 +105,8 @@ Wavefront::Wavefront(const OrderedRows& rows, const LinearSystem& system, std::s
       const bool known = i >= rows.row_count;
       const double* from = known ? x.data() : system.target.data();
       Four value{};
-      for (std::size_t c = 0; c < system.width; ++c)
-        value[c] = from[rows.vertices[i] * system.width + c];
+      const std::size_t at = rows.vertices[i] * system.width;
+      for (std::size_t c = 0; c < system.width; ++c) value[c] = from[at + c];
       if (!known) target_[i].four = value;
       points_[0][i].four = points_[1][i].four = value;
     }
@@ -169,18 +169,16 @@ Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
                             SemiIteration coefficients, Monitor& monitor, std::span<double> x) {
   const SemiIteration start = coefficients;
   Wavefront front(rows, system, x);
-  constexpr Wavefront::Sweep kStay{0, 0};
-  auto norms = front.advance({&kStay, 1});
-  Verdict verdict = norms ? monitor.record(*norms) : Verdict::cancelled;
-  bool again = true;  // the first point is measured a second time, by the first of the sweeps
-  while (verdict == Verdict::go_on) {
-    // Chebyshev's polynomials reach their rate after a loss of up to 2.
-    const double factor = monitor.excess() * (again ? 2 : 1);
-    const unsigned steps =
-        std::min(likely_sweeps(factor, coefficients.reduction()), monitor.iterations_left());
-    norms = front.advance(next_sweeps(coefficients, steps + (again ? 1 : 0)));
-    verdict = norms ? monitor.record(*norms, steps) : Verdict::cancelled;
-    again = false;
+  Verdict verdict{};
+  // The first sweep tells how far there is to go. Chebyshev's polynomials reach their rate after a
+  // loss of up to 2.
+  unsigned count = 1;
+  for (double loss = 2;; loss = 1) {
+    const auto norms = front.advance(next_sweeps(coefficients, count));
+    verdict = norms ? monitor.record(*norms, count) : Verdict::cancelled;
+    if (verdict != Verdict::go_on) break;
+    count = std::min(likely_sweeps(loss * monitor.excess(), coefficients.reduction()),
+                     monitor.iterations_left());
   }
   front.copy_measured(x);
   const bool failed = verdict == Verdict::exhausted || verdict == Verdict::stalled;

@@ -31,7 +31,8 @@ class Wavefront {
     double step;
   };
 
-  /// Does all sweeps; the errors are those of the point before the last one. Nothing if cancelled.
+  /// Does all sweeps, at least one; the errors are those of the point before the last one. Nothing
+  /// if cancelled.
   std::optional<ErrorNorms> advance(std::span<const Sweep> sweeps);
 
   /// The point that was measured last, written to the block's part of x.
