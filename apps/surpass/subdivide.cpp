@@ -47,10 +47,10 @@ class Subdivide : public Command {
     });
     if (!refined) return tl::make_unexpected(refined.error());
     if (!limit_) record(rules, *refined);
-    session.console.say(fmt::format("{} vertices, {} faces after {} levels of {}, {}{}",
-                                    refined->vertex_count(), refined->face_count(), levels_,
-                                    name_of(rules.scheme), name_of(rules.boundary),
-                                    limit_ ? ", on the limit surface" : ""));
+    session.console.say(fmt::format(
+        "{} vertices, {} faces after {} {} of {}, {}{}", refined->vertex_count(),
+        refined->face_count(), levels_, levels_ == 1 ? "level" : "levels", name_of(rules.scheme),
+        name_of(rules.boundary), limit_ ? ", on the limit surface" : ""));
     return output_.write(*refined, session);
   }
 

@@ -32,16 +32,16 @@ void include(ErrorNorms& norms, const Four& r, double scale) {
   norms.sum += distance;
 }
 
-// One run. With a constant Length the loop over a row's entries has no branch.
-template <Index Length, bool Measured>
+// One run. With a constant kLength the loop over a row's entries has no branch.
+template <Index kLength, bool kMeasured>
 [[gnu::always_inline]] inline void sweep_run(const OrderedRows& rows, const OrderedRows::Run& run,
                                              const Arrays& a, const Wavefront::Sweep& sweep,
                                              double scale, ErrorNorms& norms) {
-  const Index length = Length != 0 ? Length : run.length;
+  const Index length = kLength != 0 ? kLength : run.length;
   const Index* columns = rows.columns.data() + run.columns;
   const double* weights = rows.weights.data() + run.weights;
-  double kept[Length != 0 ? Length : 1];  // in registers
-  for (Index k = 0; k < Length; ++k) kept[k] = weights[k];
+  double kept[kLength != 0 ? kLength : 1];  // in registers
+  for (Index k = 0; k < kLength; ++k) kept[k] = weights[k];
   const auto* current = reinterpret_cast<const double*>(a.current);
   const auto at = [&](Index column) -> const Four& {
     return *reinterpret_cast<const Four*>(current + column);
@@ -51,29 +51,29 @@ template <Index Length, bool Measured>
   for (Index i = run.begin; i < run.end; ++i, columns += length) {
     Four product{};
     for (Index k = 0; k < length; ++k) {
-      product += (Length != 0 ? kept[k] : weights[k]) * at(columns[k]);
+      product += (kLength != 0 ? kept[k] : weights[k]) * at(columns[k]);
     }
     const Four x = a.current[i].four;
     const Four r = a.target[i].four - product;
     a.previous[i].four = x + momentum * (x - a.previous[i].four) + step * r;
-    if (Measured) include(norms, r, scale);
+    if (kMeasured) include(norms, r, scale);
   }
 }
 
-template <bool Measured>
+template <bool kMeasured>
 [[gnu::always_inline]] inline void sweep_any_level(const OrderedRows& rows, std::size_t level,
                                                    const Arrays& a, const Wavefront::Sweep& sweep,
                                                    double scale, ErrorNorms& norms) {
   for (Index i = rows.levels[level]; i < rows.levels[level + 1]; ++i) {
     const OrderedRows::Run& run = rows.runs[i];
     switch (run.length) {
-      case 4: sweep_run<4, Measured>(rows, run, a, sweep, scale, norms); break;
-      case 5: sweep_run<5, Measured>(rows, run, a, sweep, scale, norms); break;
-      case 6: sweep_run<6, Measured>(rows, run, a, sweep, scale, norms); break;
-      case 7: sweep_run<7, Measured>(rows, run, a, sweep, scale, norms); break;
-      case 8: sweep_run<8, Measured>(rows, run, a, sweep, scale, norms); break;
-      case 9: sweep_run<9, Measured>(rows, run, a, sweep, scale, norms); break;
-      default: sweep_run<0, Measured>(rows, run, a, sweep, scale, norms); break;
+      case 4: sweep_run<4, kMeasured>(rows, run, a, sweep, scale, norms); break;
+      case 5: sweep_run<5, kMeasured>(rows, run, a, sweep, scale, norms); break;
+      case 6: sweep_run<6, kMeasured>(rows, run, a, sweep, scale, norms); break;
+      case 7: sweep_run<7, kMeasured>(rows, run, a, sweep, scale, norms); break;
+      case 8: sweep_run<8, kMeasured>(rows, run, a, sweep, scale, norms); break;
+      case 9: sweep_run<9, kMeasured>(rows, run, a, sweep, scale, norms); break;
+      default: sweep_run<0, kMeasured>(rows, run, a, sweep, scale, norms); break;
     }
   }
 }
