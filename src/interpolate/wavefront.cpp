@@ -7,8 +7,10 @@
 #include <cmath>
 
 namespace surpass {
-// The same operations on wider registers have the same bits, so each machine may use its own.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// The same operations on wider registers have the same bits, so each machine may use its own. (The
+// choice is made before a sanitizer is ready for it.)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
 #define SURPASS_FOR_EACH_MACHINE [[gnu::target_clones("avx2", "default")]]
 #else
 #define SURPASS_FOR_EACH_MACHINE
