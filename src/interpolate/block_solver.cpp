@@ -71,10 +71,10 @@ class BlockSolver {
                                     : SemiIteration::chebyshev(block.lowest);
     const double tolerance = rule_.tolerance * rule_.unit * system_.scale;
     const unsigned sweeps = sweeps_needed(system_, solver_, task_.x, tolerance);
-    const OrderedRows* rows = block.ordered.get();
-    const bool fast = rows != nullptr && system_.width <= Wavefront::kWidth;
-    const bool done = fast ? wavefront_iteration_blind(*rows, system_, start, sweeps, task_.x)
-                           : semi_iteration_blind(system_, start, sweeps, task_.x);
+    const OrderedRows* rows = rows_to_sweep(system_);
+    const bool done = rows != nullptr
+                          ? wavefront_iteration_blind(*rows, system_, start, sweeps, task_.x)
+                          : semi_iteration_blind(system_, start, sweeps, task_.x);
     if (!done) return cancelled();
     std::vector<double> r(system_.values(), 0.0);
     Monitor monitor(rule_, system_);

@@ -19,10 +19,9 @@ double interval_begin(const Block& block) {
 
 Verdict chebyshev(const LinearSystem& system, Monitor& monitor, std::span<double> x) {
   const SemiIteration start = SemiIteration::chebyshev(interval_begin(system.block));
-  const OrderedRows* rows = system.block.ordered.get();
-  const bool fast = rows != nullptr && system.width <= Wavefront::kWidth && !monitor.records_all();
-  return fast ? wavefront_iteration(*rows, system, start, monitor, x)
-              : semi_iteration(system, start, monitor, x);
+  const OrderedRows* rows = rows_to_sweep(system);
+  return rows != nullptr ? wavefront_iteration(*rows, system, start, monitor, x)
+                         : semi_iteration(system, start, monitor, x);
 }
 
 }  // namespace
@@ -48,11 +47,13 @@ Verdict run_solver(Solver solver, const LinearSystem& system, Monitor& monitor,
   return chebyshev(system, monitor, x);
 }
 
-void order_rows_for(Solver solver, bool blind, const LimitOperator& op, Block& block) {
+void order_rows_for(const InterpolateOptions& options, const LimitOperator& op, Block& block) {
   if (block.vertices.empty()) return;
-  if (solver == Solver::automatic) solver = choose_solver(block);
-  const bool sweeps = solver == Solver::chebyshev || (solver == Solver::richardson && blind);
-  if (!sweeps) return;
+  const bool automatic = options.solver == Solver::automatic;
+  const Solver solver = automatic ? choose_solver(block) : options.solver;
+  const bool sweeps = solver == Solver::chebyshev || solver == Solver::richardson;
+  const bool tests_each = options.full_history || solver == Solver::richardson;
+  if (!sweeps || (tests_each && !options.direct)) return;
   auto rows = order_rows(op.rows, block.vertices);
   if (rows) block.ordered = std::make_shared<const OrderedRows>(std::move(*rows));
 }

@@ -12,8 +12,7 @@ namespace surpass {
 Verdict run_solver(Solver solver, const LinearSystem& system, Monitor& monitor,
                    std::span<double> x);
 
-/// Orders the block's rows if the solver is one that sweeps over them unattended; `blind`: without
-/// any test.
-void order_rows_for(Solver solver, bool blind, const LimitOperator& op, Block& block);
+/// Orders the block's rows if what the options ask for sweeps over them without a test after each.
+void order_rows_for(const InterpolateOptions& options, const LimitOperator& op, Block& block);
 
 }  // namespace surpass

@@ -174,10 +174,8 @@ Result<Interpolator> Interpolator::create(const Mesh& mesh, const InterpolateOpt
   Blocks blocks = find_blocks(*op, *listed);
   if (auto ok = check_options(options, blocks); !ok) return tl::make_unexpected(ok.error());
   std::vector<SingularPart> singular = find_singular_parts(*op, blocks, context);
-  order_rows_for(options.solver, options.direct, *op, blocks.curve);
-  for (Block& block : blocks.surface) {
-    order_rows_for(options.solver, options.direct, *op, block);
-  }
+  order_rows_for(options, *op, blocks.curve);
+  for (Block& block : blocks.surface) order_rows_for(options, *op, block);
   if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
   if (!singular.empty() && components.of_vertex.empty()) components = find_components(*topology);
   Prepared prepared{options,           std::move(*op),      std::move(*listed),

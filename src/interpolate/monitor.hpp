@@ -41,8 +41,11 @@ class Monitor {
   [[nodiscard]] const Iteration& first() const { return first_; }
   [[nodiscard]] const Iteration& last() const { return last_; }
   [[nodiscard]] const Iteration& best() const { return best_; }
-  [[nodiscard]] bool keeps_best() const { return best_.max == last_.max; }
-  [[nodiscard]] bool records_all() const { return rule_.full_history; }
+  /// Ended so, the iteration stands at a point that is worse than an earlier one.
+  [[nodiscard]] bool passed_best(Verdict verdict) const {
+    const bool failed = verdict == Verdict::exhausted || verdict == Verdict::stalled;
+    return failed && best_.max != last_.max;
+  }
   /// Every iteration, or the first and the last.
   [[nodiscard]] std::vector<Iteration> history() const;
 

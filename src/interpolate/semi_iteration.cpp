@@ -69,8 +69,7 @@ Verdict semi_iteration(const LinearSystem& system, SemiIteration coefficients, M
       continue;
     }
     buffers.finish();
-    const bool failed = verdict == Verdict::exhausted || verdict == Verdict::stalled;
-    if (failed && !monitor.keeps_best()) {
+    if (monitor.passed_best(verdict)) {
       // The iteration is deterministic: its best point is found again by going there.
       semi_iteration_blind(system, start, monitor.best().iteration - 1, x);
     }

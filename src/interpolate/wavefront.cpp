@@ -183,8 +183,7 @@ Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
                      monitor.iterations_left());
   }
   front.copy_measured(x);
-  const bool failed = verdict == Verdict::exhausted || verdict == Verdict::stalled;
-  if (failed && !monitor.keeps_best()) {
+  if (monitor.passed_best(verdict)) {
     // The iteration is deterministic: its best point is found again by going there.
     wavefront_iteration_blind(rows, system, start, monitor.best().iteration - 1, x);
   }

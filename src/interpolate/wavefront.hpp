@@ -50,6 +50,11 @@ class Wavefront {
   std::size_t measured_ = 1;                         // the older of them
 };
 
+/// The ordered rows of the system's block, or null if it cannot be swept over with them.
+[[nodiscard]] inline const OrderedRows* rows_to_sweep(const LinearSystem& system) {
+  return system.width <= Wavefront::kWidth ? system.block.ordered.get() : nullptr;
+}
+
 /// semi_iteration on ordered rows: the sweeps that are likely to be needed are done without a test
 /// in between.
 Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
