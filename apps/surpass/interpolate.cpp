@@ -49,17 +49,6 @@ class Interpolate : public Command {
   bool oracle_ = false;
 };
 
-constexpr char kExamples[] =
-    "If the tolerance is not reached, no mesh is written and the exit code is 4; the report is\n"
-    "written either way.\n\n"
-    "Examples:\n"
-    "  surpass interpolate given.obj -o control.obj\n"
-    "  surpass interpolate scan.ply -o control.ply --surface smooth.ply --levels 3\n"
-    "  surpass interpolate quads.obj -o control.obj --triangulate --tolerance 1e-12\n"
-    "  surpass interpolate open.off -o control.off --boundary hoppe --solver richardson \\\n"
-    "      --report run.json\n"
-    "  cat given.off | surpass interpolate - -o - > control.off\n";
-
 void Interpolate::define(Options& options) {
   input_.define(options, "GIVEN", "The mesh whose vertices the surface shall pass through");
   output_.define(options, "-o,--output", "The control mesh");
@@ -107,7 +96,16 @@ void Interpolate::define(Options& options) {
             "Write the mesh even if the tolerance was not reached; the exit code stays 4")
       .group("Output");
   add_oracle(options, oracle_);
-  options.examples(kExamples);
+  options.examples(
+      "If the tolerance is not reached, no mesh is written and the exit code is 4; the report is\n"
+      "written either way.\n\n"
+      "Examples:\n"
+      "  surpass interpolate given.obj -o control.obj\n"
+      "  surpass interpolate scan.ply -o control.ply --surface smooth.ply --levels 3\n"
+      "  surpass interpolate quads.obj -o control.obj --triangulate --tolerance 1e-12\n"
+      "  surpass interpolate open.off -o control.off --boundary hoppe --solver richardson \\\n"
+      "      --report run.json\n"
+      "  cat given.off | surpass interpolate - -o - > control.off\n");
 }
 
 Result<void> Interpolate::run(Session& session) {

@@ -61,6 +61,7 @@ class Options {
   Option choice(const std::string& name, Target& target, const std::vector<Value>& choices,
                 const std::string& description) {
     std::vector<std::string> words;
+    words.reserve(choices.size());
     for (const Value value : choices) words.emplace_back(name_of(value));
     const auto store = [choices, &target](std::size_t i) { target = choices[i]; };
     return choice_of_words(name, words, store, description);

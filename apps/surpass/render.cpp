@@ -21,15 +21,6 @@ namespace surpass::cli {
 
 namespace {
 
-constexpr char kExamples[] =
-    "Fronts of faces are warm, backs cool. At azimuth 0 the camera looks from the front: +z with\n"
-    "--up y, -y with --up z, +y with --up x.\n\n"
-    "Examples:\n"
-    "  surpass render mesh.obj -o mesh.png --edges --flat\n"
-    "  surpass render control.obj -o surface.png --levels 4 --points given.obj\n"
-    "  surpass render control.obj -o figure.png --levels 4 --beside given.obj --points\n"
-    "  surpass render part.stl -o - --up z --camera 40,25 --size 1920x1080 > part.png\n";
-
 // What the options say, as text where they are two numbers.
 struct Wishes {
   std::string size = "1024x768";
@@ -171,7 +162,15 @@ void Render::define(Options& options) {
            .add("--beside", beside_path_,
                 "Draw this mesh, as facets with edges, to the left in the same view")
            .type_name("FILE"));
-  options.examples(kExamples);
+  options.examples(
+      "Fronts of faces are warm, backs cool. At azimuth 0 the camera looks from the front: +z "
+      "with\n"
+      "--up y, -y with --up z, +y with --up x.\n\n"
+      "Examples:\n"
+      "  surpass render mesh.obj -o mesh.png --edges --flat\n"
+      "  surpass render control.obj -o surface.png --levels 4 --points given.obj\n"
+      "  surpass render control.obj -o figure.png --levels 4 --beside given.obj --points\n"
+      "  surpass render part.stl -o - --up z --camera 40,25 --size 1920x1080 > part.png\n");
 }
 
 Result<void> Render::run(Session& session) {

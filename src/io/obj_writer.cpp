@@ -7,7 +7,7 @@
 namespace surpass::io {
 namespace {
 
-constexpr const char* kFormat = "OBJ";
+constexpr const char* kObj = "OBJ";
 
 // Rows of `vt` or `vn`, and the row that each corner names.
 struct CornerRows {
@@ -79,7 +79,7 @@ void ObjWriter::choose_channels() {
     } else if (channel.name == "normal" && normal_.width == 0 && channel.width == 3) {
       use_rows(normal_, channel);
     } else {
-      note_lost(kFormat, "corner channel", channel.name, notes_);
+      note_lost(kObj, "corner channel", channel.name, notes_);
     }
   }
   for (const Channel& channel : mesh_.channels) {
@@ -91,11 +91,11 @@ void ObjWriter::choose_channels() {
     } else if (channel.name == "normal" && width == 3 && is_seamless(normal_, width)) {
       use_rows(normal_, channel);
     } else {
-      note_lost(kFormat, "channel", channel.name, notes_);
+      note_lost(kObj, "channel", channel.name, notes_);
     }
   }
   for (const FaceChannel& channel : mesh_.face_channels) {
-    note_lost(kFormat, "face channel", channel.name, notes_);
+    note_lost(kObj, "face channel", channel.name, notes_);
   }
   if (colour_ != nullptr && colour_->storage == Storage::uint8) {
     notes_.emplace_back("colours from 0 to 255 are written from 0 to 1, as is usual in OBJ");
@@ -116,7 +116,7 @@ void ObjWriter::choose_face_sets() {
   for (std::size_t s = 0; s < mesh_.face_sets.size(); ++s) {
     const FaceSet& set = mesh_.face_sets[s];
     if (!can_be_held(set)) {
-      note_lost(kFormat, "set of faces", set.name, notes_);
+      note_lost(kObj, "set of faces", set.name, notes_);
       continue;
     }
     for (std::size_t k = 0; k < set.faces.size(); ++k) {

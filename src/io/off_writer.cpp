@@ -6,7 +6,7 @@
 namespace surpass::io {
 namespace {
 
-constexpr const char* kFormat = "OFF";
+constexpr const char* kOff = "OFF";
 
 // The reader tells whole-number colours (0 to 255) from fractions (0 to 1) by the point.
 void append_colour(std::string& out, double value, bool whole) {
@@ -38,7 +38,7 @@ Columns choose_columns(const Mesh& mesh, Notes& notes) {
   for (const Channel& channel : mesh.channels) {
     const bool held =
         &channel == columns.normal || &channel == columns.colour || &channel == columns.texture;
-    if (!held) note_lost(kFormat, "channel", channel.name, notes);
+    if (!held) note_lost(kOff, "channel", channel.name, notes);
   }
   return columns;
 }
@@ -51,7 +51,7 @@ const FaceChannel* choose_face_colour(const Mesh& mesh, Notes& notes) {
     if (colour && chosen == nullptr) {
       chosen = &channel;
     } else {
-      note_lost(kFormat, "face channel", channel.name, notes);
+      note_lost(kOff, "face channel", channel.name, notes);
     }
   }
   return chosen;
@@ -91,9 +91,9 @@ void write_faces(const Mesh& mesh, const FaceChannel* colour, std::string& out) 
 
 Result<void> write_off(const Mesh& mesh, const WriteOptions& options, std::string& bytes,
                        Notes& notes) {
-  note_losses(mesh, {.format = kFormat}, notes);
+  note_losses(mesh, {.format = kOff}, notes);
   for (const CornerChannel& channel : mesh.corner_channels) {
-    note_lost(kFormat, "corner channel", channel.name, notes);
+    note_lost(kOff, "corner channel", channel.name, notes);
   }
   const Columns columns = choose_columns(mesh, notes);
   const FaceChannel* face_colour = choose_face_colour(mesh, notes);

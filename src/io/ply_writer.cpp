@@ -10,7 +10,7 @@
 namespace surpass::io {
 namespace {
 
-constexpr const char* kFormat = "PLY";
+constexpr const char* kPly = "PLY";
 
 // Where the numbers of a property come from: value(row) = from[row * stride].
 struct OutColumn {
@@ -120,7 +120,7 @@ void PlyWriter::add_channel(const AnyChannel& channel, std::vector<OutColumn>& c
                              : width == 1 ? channel.name
                                           : channel.name + "_" + channel.parts[k];
     if (!can_be_a_name(name, added)) {
-      note_lost(kFormat, "channel", channel.name, notes_);
+      note_lost(kPly, "channel", channel.name, notes_);
       return;
     }
     added.push_back({name, type, channel.values.data() + k, width});
@@ -178,7 +178,7 @@ void PlyWriter::choose_texture() {
     const bool held = texture_ == nullptr && channel.name == "texture" && channel.width == 2 &&
                       covers_whole_faces(mesh_, channel);
     if (!held) {
-      note_lost(kFormat, "corner channel", channel.name, notes_);
+      note_lost(kPly, "corner channel", channel.name, notes_);
       continue;
     }
     texture_ = &channel;
@@ -281,7 +281,7 @@ void PlyWriter::write() {
 
 Result<void> write_ply(const Mesh& mesh, const WriteOptions& options, std::string& bytes,
                        Notes& notes) {
-  note_losses(mesh, {.format = kFormat, .sharpness = true, .holes = true}, notes);
+  note_losses(mesh, {.format = kPly, .sharpness = true, .holes = true}, notes);
   PlyWriter(mesh, options, bytes, notes).write();
   return {};
 }

@@ -9,17 +9,11 @@
 #include "io/face_sets.hpp"
 #include "io/point_table.hpp"
 #include "io/readers.hpp"
+#include "io/stl_format.hpp"
 #include "io/storage.hpp"
 
 namespace surpass::io {
 namespace {
-
-constexpr std::size_t kHeader = 80;
-constexpr std::size_t kPrelude = kHeader + 4;  // header and count
-constexpr std::size_t kFacet = 50;             // normal, three positions, attribute
-constexpr std::size_t kFacetPositions = 12;
-constexpr std::size_t kFacetAttribute = 48;
-constexpr bool kSwap = std::endian::native != std::endian::little;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -37,7 +31,8 @@ bool is_text(std::string_view bytes) {
 }
 
 std::uint64_t announced_size(const char* bytes) {
-  return kPrelude + std::uint64_t{kFacet} * load<std::uint32_t, kSwap>(bytes + kHeader);
+  return stl::kPrelude +
+         std::uint64_t{stl::kFacet} * load<std::uint32_t, stl::kSwap>(bytes + stl::kHeader);
 }
 
 class StlReader {
@@ -64,7 +59,7 @@ class StlReader {
 };
 
 bool StlReader::check_binary_size() {
-  if (scan_.left() < kPrelude) {
+  if (scan_.left() < stl::kPrelude) {
     return scan_.fail_as_a_whole(
         ErrorCode::unexpected_end,
         "this is no STL file: text begins with 'solid', and binary has at least 84 bytes");
@@ -75,17 +70,17 @@ bool StlReader::check_binary_size() {
       announced > scan_.left() ? ErrorCode::unexpected_end : ErrorCode::syntax,
       fmt::format("{} triangles are announced, which take {} bytes, but the file has {}; it is "
                   "damaged, export it again",
-                  (announced - kPrelude) / kFacet, announced, scan_.left()),
-      scan_.at() + kHeader);
+                  (announced - stl::kPrelude) / stl::kFacet, announced, scan_.left()),
+      scan_.at() + stl::kHeader);
 }
 
 bool StlReader::read_binary() {
   if (!check_binary_size()) return false;
-  const std::string_view header(scan_.at(), kHeader);
+  const std::string_view header(scan_.at(), stl::kHeader);
   read_annotations(header.substr(0, header.find('\0')), mesh_);
-  scan_.advance(kPrelude);
-  mesh_.face_vertices.reserve(3 * (scan_.left() / kFacet));
-  mesh_.face_offsets.reserve(1 + scan_.left() / kFacet);
+  scan_.advance(stl::kPrelude);
+  mesh_.face_vertices.reserve(3 * (scan_.left() / stl::kFacet));
+  mesh_.face_offsets.reserve(1 + scan_.left() / stl::kFacet);
   while (!scan_.done()) {
     if (!read_binary_facet()) return false;
   }
@@ -99,10 +94,10 @@ bool StlReader::read_binary() {
 bool StlReader::read_binary_facet() {
   const char* facet = scan_.at();
   std::array<Point, 3> triangle;
-  const char* place = facet + kFacetPositions;
+  const char* place = facet + stl::kFacetPositions;
   for (Point& corner : triangle) {
     for (double& coordinate : corner) {
-      coordinate = static_cast<double>(load<float, kSwap>(place));
+      coordinate = static_cast<double>(load<float, stl::kSwap>(place));
       if (!std::isfinite(coordinate)) {
         return scan_.fail_at_byte(ErrorCode::not_finite,
                                   "a coordinate is NaN or infinite; export the mesh again", place);
@@ -110,8 +105,8 @@ bool StlReader::read_binary_facet() {
       place += sizeof(float);
     }
   }
-  attributes_ = attributes_ || load<std::uint16_t, kSwap>(facet + kFacetAttribute) != 0;
-  scan_.advance(kFacet);
+  attributes_ = attributes_ || load<std::uint16_t, stl::kSwap>(facet + stl::kFacetAttribute) != 0;
+  scan_.advance(stl::kFacet);
   return add_triangle(triangle, facet);
 }
 
@@ -186,7 +181,7 @@ bool StlReader::expect(std::string_view keyword) {
 }  // namespace
 
 bool is_binary_stl(std::string_view bytes) {
-  return bytes.size() >= kPrelude && announced_size(bytes.data()) == bytes.size();
+  return bytes.size() >= stl::kPrelude && announced_size(bytes.data()) == bytes.size();
 }
 
 bool read_stl(Scanner& scan, LoadedMesh& out) {

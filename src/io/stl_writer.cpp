@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "io/annotations.hpp"
+#include "io/stl_format.hpp"
 #include "io/storage.hpp"
 #include "io/text.hpp"
 #include "io/writers.hpp"
@@ -9,9 +10,7 @@
 namespace surpass::io {
 namespace {
 
-constexpr const char* kFormat = "STL";
-constexpr std::size_t kHeader = 80;
-constexpr bool kSwap = std::endian::native != std::endian::little;
+constexpr const char* kStl = "STL";
 
 using Triangle = std::array<std::array<float, 3>, 3>;
 
@@ -48,15 +47,15 @@ std::array<float, 3> normal_of(const Mesh& mesh, Index f) {
 void write_binary(const Mesh& mesh, const std::string& annotation, std::string& out) {
   std::string header =
       annotation.empty() ? "binary STL, lengths in the model's own unit" : annotation;
-  header.resize(kHeader, '\0');
+  header.resize(stl::kHeader, '\0');
   out += header;
-  append(out, static_cast<std::uint32_t>(mesh.face_count()), kSwap);
+  append(out, static_cast<std::uint32_t>(mesh.face_count()), stl::kSwap);
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    for (const float x : normal_of(mesh, f)) append(out, x, kSwap);
+    for (const float x : normal_of(mesh, f)) append(out, x, stl::kSwap);
     for (const auto& corner : triangle_of(mesh, f)) {
-      for (const float x : corner) append(out, x, kSwap);
+      for (const float x : corner) append(out, x, stl::kSwap);
     }
-    append(out, std::uint16_t{0}, kSwap);
+    append(out, std::uint16_t{0}, stl::kSwap);
   }
 }
 
@@ -83,7 +82,7 @@ std::vector<std::string_view> solid_names(const Mesh& mesh, Notes& notes) {
                 set.name.find_first_not_of(' ') == 0 && set.name.back() != ' ';
     for (const Index f : set.faces) held = held && names[f].empty();
     if (!held) {
-      note_lost(kFormat, "set of faces", set.name, notes);
+      note_lost(kStl, "set of faces", set.name, notes);
       continue;
     }
     for (const Index f : set.faces) names[f] = set.name;
@@ -141,12 +140,12 @@ void note_isolated(const Mesh& mesh, Notes& notes) {
 }
 
 void note_channels(const Mesh& mesh, Notes& notes) {
-  for (const Channel& channel : mesh.channels) note_lost(kFormat, "channel", channel.name, notes);
+  for (const Channel& channel : mesh.channels) note_lost(kStl, "channel", channel.name, notes);
   for (const CornerChannel& channel : mesh.corner_channels) {
-    note_lost(kFormat, "corner channel", channel.name, notes);
+    note_lost(kStl, "corner channel", channel.name, notes);
   }
   for (const FaceChannel& channel : mesh.face_channels) {
-    note_lost(kFormat, "face channel", channel.name, notes);
+    note_lost(kStl, "face channel", channel.name, notes);
   }
   note_isolated(mesh, notes);
 }
@@ -162,9 +161,9 @@ Result<void> write_stl(const Mesh& mesh, const WriteOptions& options, std::strin
   if (text) names = solid_names(mesh, notes);
   const bool has_name = !names.empty() && std::any_of(names.begin(), names.end(),
                                                       [](auto name) { return !name.empty(); });
-  const bool held = !has_name && annotation.size() <= kHeader;
+  const bool held = !has_name && annotation.size() <= stl::kHeader;
   if (!held) annotation.clear();
-  note_losses(mesh, {.format = kFormat, .face_sets = text, .annotations = held}, notes);
+  note_losses(mesh, {.format = kStl, .face_sets = text, .annotations = held}, notes);
   note_channels(mesh, notes);
   if (text) {
     write_text(mesh, annotation, names, bytes);
