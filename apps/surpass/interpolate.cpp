@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,12 +31,14 @@ class Interpolate : public Command {
 
  private:
   Result<void> choose_options(const Mesh& given, Session& session);
-  Result<Interpolated> solve(const Mesh& given, Session& session);
-  Result<Verdict> verify(const Mesh& control, const Mesh& given, Session& session) const;
-  Result<Certificate> certify_listed(const Mesh& control, const Mesh& given,
-                                     const Context& context) const;
+  Result<SolveReport> solve(const Interpolator& solver, Mesh& mesh, std::vector<Point>& given,
+                            Session& session) const;
+  Result<Verdict> verify(const Interpolator& solver, const Mesh& control,
+                         std::span<const Point> given, Session& session) const;
+  Result<Certificate> certify_listed(const std::vector<Point>& limit,
+                                     std::span<const Point> given) const;
   [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
-  Result<void> write(const Interpolated& found, Session& session) const;
+  Result<void> write(const Mesh& control, Session& session) const;
 
   MeshInput input_;
   MeshOutput output_;
@@ -118,28 +121,33 @@ Result<void> Interpolate::run(Session& session) {
 
   Result<LoadedMesh> loaded = input_.load(session);
   if (!loaded) return tl::make_unexpected(loaded.error());
-  const Mesh& given = loaded->mesh;
+  Mesh& mesh = loaded->mesh;
   output_.default_format(loaded->format);
-  if (const auto chosen = choose_options(given, session); !chosen) return chosen;
+  if (const auto chosen = choose_options(mesh, session); !chosen) return chosen;
 
-  Result<Interpolated> found = solve(given, session);
-  if (!found) return tl::make_unexpected(found.error());
-  const Result<Verdict> verdict = verify(found->control, given, session);
+  const Result<Interpolator> solver = session.timed(
+      "topology", [&] { return Interpolator::create(mesh, options_, session.context); });
+  if (!solver) return tl::make_unexpected(solver.error());
+  const bool all = options_.only.empty() && options_.skip_components.empty();
+  if (!all) certified_ = solver->interpolated();
+  std::vector<Point> given;
+  const Result<SolveReport> solved = solve(*solver, mesh, given, session);
+  if (!solved) return tl::make_unexpected(solved.error());
+  const Result<Verdict> verdict = verify(*solver, mesh, given, session);
   if (!verdict) return tl::make_unexpected(verdict.error());
-  if (!found->report.solver.empty()) session.report["solver"] = found->report.solver;
-  add_solve_report(found->report, *verdict, session.report);
-  session.console.notes(found->report.notes);
-  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), given.vertex_count(),
+  if (!solved->solver.empty()) session.report["solver"] = solved->solver;
+  add_solve_report(*solved, *verdict, session.report);
+  session.console.notes(solved->notes);
+  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), mesh.vertex_count(),
                                   name_of(options_.rules.scheme),
                                   name_of(options_.rules.boundary)));
-  session.console.say(
-      fmt::format("{}, {:.3g} s", summary(found->report, *verdict), session.seconds()));
+  session.console.say(fmt::format("{}, {:.3g} s", summary(*solved, *verdict), session.seconds()));
 
-  const bool reached = found->report.converged && verdict->judged() <= found->report.tolerance;
+  const bool reached = solved->converged && verdict->judged() <= solved->tolerance;
   if (reached || keep_best_) {
-    if (const auto written = write(*found, session); !written) return written;
+    if (const auto written = write(mesh, session); !written) return written;
   }
-  return reached ? Result<void>() : not_reached(found->report, verdict->judged());
+  return reached ? Result<void>() : not_reached(*solved, verdict->judged());
 }
 
 Result<void> Interpolate::not_reached(const SolveReport& solved, double error) const {
@@ -175,40 +183,39 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
   return {};
 }
 
-/// interpolate() with its two stages timed apart.
-Result<Interpolated> Interpolate::solve(const Mesh& given, Session& session) {
-  const Result<Interpolator> solver = session.timed(
-      "topology", [&] { return Interpolator::create(given, options_, session.context); });
-  if (!solver) return tl::make_unexpected(solver.error());
-  const bool all = options_.only.empty() && options_.skip_components.empty();
-  if (!all) certified_ = solver->interpolated();
+/// Turns the given mesh into the control mesh; its points become `given`.
+Result<SolveReport> Interpolate::solve(const Interpolator& solver, Mesh& mesh,
+                                       std::vector<Point>& given, Session& session) const {
   Result<Solution> solution = session.timed(
-      "solve", [&] { return solver->solve(given.points, given.channels, session.context); });
+      "solve", [&] { return solver.solve(mesh.points, mesh.channels, session.context); });
   if (!solution) return tl::make_unexpected(solution.error());
-  Interpolated found{given, std::move(solution->report)};
-  found.control.points = std::move(solution->points);
-  found.control.channels = std::move(solution->channels);
-  record(options_.rules, found.control);
-  return found;
+  given = std::exchange(mesh.points, std::move(solution->points));
+  mesh.channels = std::move(solution->channels);
+  record(options_.rules, mesh);
+  return std::move(solution->report);
 }
 
-Result<Verdict> Interpolate::verify(const Mesh& control, const Mesh& given,
-                                    Session& session) const {
+Result<Verdict> Interpolate::verify(const Interpolator& solver, const Mesh& control,
+                                    std::span<const Point> given, Session& session) const {
   return session.timed("verify", [&]() -> Result<Verdict> {
+    const auto certify = [&](std::span<const Point> points) -> Result<Certificate> {
+      const auto limit = solver.limit_positions(points, session.context);
+      if (!limit) return tl::make_unexpected(limit.error());
+      return certify_listed(*limit, given);
+    };
     Verdict verdict;
-    const Result<Certificate> exact = certify_listed(control, given, session.context);
+    const Result<Certificate> exact = certify(control.points);
     if (!exact) return tl::make_unexpected(exact.error());
     verdict.exact = *exact;
 
-    Mesh rounded = control;
-    rounded.points = output_.stored(control.points);
-    if (rounded.points != control.points) {
-      const Result<Certificate> stored = certify_listed(rounded, given, session.context);
+    const std::vector<Point> rounded = output_.stored(control.points);
+    if (rounded != control.points) {
+      const Result<Certificate> stored = certify(rounded);
       if (!stored) return tl::make_unexpected(stored.error());
       verdict.stored = *stored;
     }
     if (oracle_) {
-      const Result<Certificate> oracle = certify_by_oracle(control, given.points, options_.rules);
+      const Result<Certificate> oracle = certify_by_oracle(control, given, options_.rules);
       if (!oracle) return tl::make_unexpected(oracle.error());
       session.console.notes(oracle->notes);
       verdict.oracle = *oracle;
@@ -217,22 +224,20 @@ Result<Verdict> Interpolate::verify(const Mesh& control, const Mesh& given,
   });
 }
 
-/// certify(), for the vertices that are to be met.
-Result<Certificate> Interpolate::certify_listed(const Mesh& control, const Mesh& given,
-                                                const Context& context) const {
-  if (!certified_) return certify(control, given.points, options_.rules, context);
-  const Result<std::vector<Point>> limit = limit_positions(control, options_.rules, context);
-  if (!limit) return tl::make_unexpected(limit.error());
+/// For the vertices that are to be met.
+Result<Certificate> Interpolate::certify_listed(const std::vector<Point>& limit,
+                                                std::span<const Point> given) const {
+  if (!certified_) return compare_points(limit, given, "surpass");
   std::vector<Point> listed_limit;
   std::vector<Point> listed_given;
   for (const Index v : *certified_) {
-    listed_limit.push_back((*limit)[v]);
-    listed_given.push_back(given.points[v]);
+    listed_limit.push_back(limit[v]);
+    listed_given.push_back(given[v]);
   }
   Result<Certificate> found = compare_points(listed_limit, listed_given, "surpass");
   if (!found) return found;
   // Relative to the whole mesh, as all errors are.
-  const double side = bounding_box(given.points).side();
+  const double side = bounding_box(given).side();
   const double scale = found->box_side / (side > 0 ? side : 1);
   found->max *= scale;
   found->mean *= scale;
@@ -241,16 +246,15 @@ Result<Certificate> Interpolate::certify_listed(const Mesh& control, const Mesh&
   return found;
 }
 
-Result<void> Interpolate::write(const Interpolated& found, Session& session) const {
+Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   std::optional<Mesh> surface;
   if (!surface_path_.empty()) {
-    Result<Mesh> refined = session.timed("refine", [&] {
-      return limit_mesh(found.control, options_.rules, levels_, session.context);
-    });
+    Result<Mesh> refined = session.timed(
+        "refine", [&] { return limit_mesh(control, options_.rules, levels_, session.context); });
     if (!refined) return tl::make_unexpected(refined.error());
     surface = std::move(*refined);
   }
-  if (const auto written = output_.write(found.control, session); !written) return written;
+  if (const auto written = output_.write(control, session); !written) return written;
   return surface ? output_.write(*surface, surface_path_, session) : Result<void>();
 }
 

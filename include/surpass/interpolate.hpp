@@ -124,6 +124,11 @@ class Interpolator {
                                        std::span<const Channel> channels = {},
                                        const Context& context = {}) const;
 
+  /// Limit points of any control points (#V) of this topology, one evaluation: what a certificate
+  /// needs. It uses the plain rows, none of what makes `solve` fast. Error: wrong size.
+  [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> points,
+                                                           const Context& context = {}) const;
+
   /// The vertices that the surface shall pass through, ascending: what `only` and `skip_components`
   /// leave.
   [[nodiscard]] std::vector<Index> interpolated() const;

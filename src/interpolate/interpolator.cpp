@@ -44,6 +44,12 @@ struct Interpolator::Impl : Prepared {};
 
 namespace {
 
+Result<void> require_size(std::size_t points, const LimitOperator& op) {
+  if (points == op.rows.row_count()) return {};
+  return fail(ErrorCode::mismatch, fmt::format("{} points were given for a mesh of {} vertices",
+                                               points, op.rows.row_count()));
+}
+
 Result<void> require_finite(std::span<const double> values, std::size_t width, const char* what) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) continue;
@@ -191,14 +197,21 @@ std::vector<Index> Interpolator::interpolated() const {
   return vertices;
 }
 
+Result<std::vector<Point>> Interpolator::limit_positions(std::span<const Point> points,
+                                                         const Context& context) const {
+  if (auto ok = require_size(points.size(), impl_->op); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  return impl_->op.rows.apply(context, points);
+}
+
 Result<Solution> Interpolator::solve(std::span<const Point> points,
                                      std::span<const Channel> channels,
                                      const Context& context) const {
-  const std::size_t n = impl_->op.rows.row_count();
-  if (points.size() != n) {
-    return fail(ErrorCode::mismatch,
-                fmt::format("{} points were given for a mesh of {} vertices", points.size(), n));
+  if (auto ok = require_size(points.size(), impl_->op); !ok) {
+    return tl::make_unexpected(ok.error());
   }
+  const std::size_t n = points.size();
   const std::span<const double> target = flat(points);
   if (auto ok = require_finite(target, 3, "a coordinate"); !ok)
     return tl::make_unexpected(ok.error());
@@ -248,8 +261,8 @@ Result<Prediction> Interpolator::predict(std::span<const Point> points) const {
   if (auto ok = require_proven(impl_->blocks); !ok) return tl::make_unexpected(ok.error());
   InterpolateOptions options = impl_->options;
   if (options.solver != Solver::richardson) options.solver = Solver::chebyshev;
-  if (points.size() != impl_->op.rows.row_count()) {
-    return fail(ErrorCode::mismatch, "the points do not match the mesh");
+  if (auto ok = require_size(points.size(), impl_->op); !ok) {
+    return tl::make_unexpected(ok.error());
   }
   const auto unit = unit_of(bounding_box(points));
   if (!unit) return tl::make_unexpected(unit.error());

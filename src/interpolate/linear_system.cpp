@@ -16,41 +16,11 @@ void include_distance(ErrorNorms& norms, double squared) {
   norms.sum += distance;
 }
 
-// The product of row v with x for three right-hand sides, the case that matters.
-std::array<double, 3> row_times(const SparseRows& rows, Index v, const double* x) {
-  double s0 = 0;
-  double s1 = 0;
-  double s2 = 0;
-  for (Index k = rows.offsets[v]; k < rows.offsets[v + 1]; ++k) {
-    const double w = rows.weights[k];
-    const double* p = x + std::size_t{3} * rows.columns[k];
-    s0 += w * p[0];
-    s1 += w * p[1];
-    s2 += w * p[2];
-  }
-  return {s0, s1, s2};
-}
-
-double row_times(const SparseRows& rows, Index v, const double* x, std::size_t width,
-                 std::size_t c) {
-  double sum = 0;
-  for (Index k = rows.offsets[v]; k < rows.offsets[v + 1]; ++k) {
-    sum += rows.weights[k] * x[rows.columns[k] * width + c];
-  }
-  return sum;
-}
-
 // use(index of a value, its row's product) for every value of row v.
 template <class Use>
 void for_row(const LinearSystem& s, Index v, const double* x, Use&& use) {
-  if (s.width == 3) {
-    const auto product = row_times(s.op.rows, v, x);
-    for (std::size_t c = 0; c < 3; ++c) use(std::size_t{3} * v + c, product[c]);
-    return;
-  }
-  for (std::size_t c = 0; c < s.width; ++c) {
-    use(v * s.width + c, row_times(s.op.rows, v, x, s.width, c));
-  }
+  s.op.rows.row_times(v, s.width, x,
+                      [&](std::size_t c, double product) { use(v * s.width + c, product); });
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ class PlyWriter {
   template <class AnyChannel>
   void add_channel(const AnyChannel& channel, std::vector<OutColumn>& columns);
   void write_header();
+  [[nodiscard]] std::size_t likely_size() const;
   void write_properties(const std::vector<OutColumn>& columns);
   void write_vertices();
   void write_faces();
@@ -267,10 +268,31 @@ void PlyWriter::write_edges() {
   }
 }
 
+// Of all rows: growing by doubling would copy most of the file once more. Text has up to 17 digits
+// a number; what is too much is never touched.
+std::size_t PlyWriter::likely_size() const {
+  const auto size_of = [&](Storage type) -> std::size_t {
+    if (encoding_ == Encoding::ascii) return 20;
+    return with_type(type, [](auto zero) { return sizeof(zero); });
+  };
+  const auto row = [&](const std::vector<OutColumn>& columns) {
+    std::size_t size = 0;
+    for (const OutColumn& column : columns) size += size_of(column.type);
+    return size;
+  };
+  const std::size_t numbers = texture_ != nullptr ? 2 * mesh_.face_vertices.size() : 0;
+  const std::size_t lists = texture_ != nullptr ? 2 : 1;
+  return mesh_.points.size() * row(vertex_columns_) +
+         mesh_.face_count() * (row(face_columns_) + lists * size_of(Storage::uint8)) +
+         mesh_.face_vertices.size() * size_of(Storage::int32) + numbers * size_of(texture_type_) +
+         mesh_.creases.size() * 3 * size_of(Storage::int32);
+}
+
 void PlyWriter::write() {
   choose_vertex_columns();
   choose_face_columns();
   choose_texture();
+  out_.reserve(out_.size() + likely_size() + 4096);  // and the header
   write_header();
   write_vertices();
   write_faces();

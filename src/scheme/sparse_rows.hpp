@@ -4,49 +4,76 @@
 #include <surpass/context.hpp>
 #include <surpass/mesh.hpp>
 
-#include <numeric>
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "parallel/parallel.hpp"
+#include "scheme/weight_lists.hpp"
 
 namespace surpass {
 
-/// Compressed rows: row i is sum over k in offsets[i]..offsets[i+1] of weights[k] * x[columns[k]].
-struct SparseRows {
-  std::vector<Index> offsets = {0};
-  std::vector<Index> columns;
-  std::vector<double> weights;
-
-  [[nodiscard]] Index row_count() const { return static_cast<Index>(offsets.size() - 1); }
+/// Compressed rows: row i is the sum over its entries k of row_weights(i)[k] *
+/// x[row_columns(i)[k]]. Rows with equal weights share them, so that nearly all that a sweep reads
+/// are the columns.
+class SparseRows {
+ public:
+  [[nodiscard]] Index row_count() const { return static_cast<Index>(rows_.size() - 1); }
+  [[nodiscard]] Index row_length(Index i) const { return rows_[i + 1].columns - rows_[i].columns; }
   [[nodiscard]] std::span<const Index> row_columns(Index i) const {
-    return std::span(columns).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+    return {columns_.data() + rows_[i].columns, row_length(i)};
   }
   [[nodiscard]] std::span<const double> row_weights(Index i) const {
-    return std::span(weights).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+    return {weights_.data() + rows_[i].weights, row_length(i)};
+  }
+
+  /// The distinct lists of weights, one after the other, and where that of row i starts. Rows have
+  /// the same weights, bit by bit, if and only if theirs start at the same place.
+  [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
+  [[nodiscard]] Index weights_start(Index i) const { return rows_[i].weights; }
+
+  /// Hints for walks in an order that the processor cannot foresee: first where row i lies, then,
+  /// some time later, its columns.
+  void prefetch_row(Index i) const { __builtin_prefetch(&rows_[i]); }
+  void prefetch_columns(Index i) const {
+    __builtin_prefetch(columns_.data() + rows_[i].columns);
+    __builtin_prefetch(columns_.data() + rows_[i + 1].columns - 1);
   }
 
   /// Builds n rows in two passes: length(i), then fill(i, columns, weights) with spans that long.
   template <class Length, class Fill>
-  static SparseRows build(const Context& context, Index n, Length&& length, Fill&& fill) {
-    SparseRows rows;
-    rows.offsets.assign(static_cast<std::size_t>(n) + 1, 0);
-    parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) rows.offsets[i + 1] = length(static_cast<Index>(i));
-    });
-    std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
-    rows.columns.resize(rows.offsets.back());
-    rows.weights.resize(rows.offsets.back());
-    parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t at = rows.offsets[i];
-        const std::size_t size = rows.offsets[i + 1] - at;
-        fill(static_cast<Index>(i), std::span(rows.columns).subspan(at, size),
-             std::span(rows.weights).subspan(at, size));
-      }
-    });
-    return rows;
+  static SparseRows build(const Context& context, Index n, Length&& length, Fill&& fill);
+
+  /// Row i times three right-hand sides, the case that matters; x: #columns by 3.
+  [[nodiscard]] std::array<double, 3> row_times_3(Index i, const double* x) const {
+    double s0 = 0;
+    double s1 = 0;
+    double s2 = 0;
+    const double* w = weights_.data() + rows_[i].weights;
+    for (Index k = rows_[i].columns; k < rows_[i + 1].columns; ++k, ++w) {
+      const double* p = x + std::size_t{3} * columns_[k];
+      s0 += *w * p[0];
+      s1 += *w * p[1];
+      s2 += *w * p[2];
+    }
+    return {s0, s1, s2};
+  }
+
+  /// use(c, row i times right-hand side c) for each of `width`; x: #columns by width.
+  template <class Use>
+  void row_times(Index i, std::size_t width, const double* x, Use&& use) const {
+    if (width == 3) {
+      const auto product = row_times_3(i, x);
+      for (std::size_t c = 0; c < 3; ++c) use(c, product[c]);
+      return;
+    }
+    for (std::size_t c = 0; c < width; ++c) {
+      double sum = 0;
+      const double* w = weights_.data() + rows_[i].weights;
+      for (const Index column : row_columns(i)) sum += *w++ * x[column * width + c];
+      use(c, sum);
+    }
   }
 
   /// y = rows * x for row-major values of `width` numbers each. x: #columns by width, y: #rows by
@@ -55,13 +82,8 @@ struct SparseRows {
              std::span<double> y) const {
     parallel::for_ranges(context, row_count(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        for (std::size_t c = 0; c < width; ++c) {
-          double sum = 0;
-          for (Index k = offsets[i]; k < offsets[i + 1]; ++k) {
-            sum += weights[k] * x[columns[k] * width + c];
-          }
-          y[i * width + c] = sum;
-        }
+        row_times(static_cast<Index>(i), width, x.data(),
+                  [&](std::size_t c, double product) { y[i * width + c] = product; });
       }
     });
   }
@@ -72,6 +94,63 @@ struct SparseRows {
     apply(context, 3, flat(points), flat(std::span(result)));
     return result;
   }
+
+ private:
+  // `part` holds the lists of the rows from `begin` to `end`, which know them by number.
+  void adopt_lists(std::size_t begin, std::size_t end, const WeightLists& part, WeightLists& all);
+
+  struct Row {
+    Index columns = 0;  ///< where they start; they end where the next row's start
+    Index weights = 0;
+  };
+
+  std::vector<Row> rows_ = {{}};
+  std::vector<Index> columns_;
+  std::vector<double> weights_;
 };
+
+template <class Length, class Fill>
+SparseRows SparseRows::build(const Context& context, Index n, Length&& length, Fill&& fill) {
+  SparseRows rows;
+  rows.rows_.resize(static_cast<std::size_t>(n) + 1);
+  parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      rows.rows_[i + 1].columns = length(static_cast<Index>(i));
+    }
+  });
+  for (Index i = 0; i < n; ++i) rows.rows_[i + 1].columns += rows.rows_[i].columns;
+  rows.columns_.resize(rows.rows_.back().columns);
+  // Each chunk keeps its own lists; they are joined in the order of chunks, the same for any number
+  // of threads.
+  std::vector<WeightLists> parts((n + parallel::kChunk - 1) / parallel::kChunk);
+  parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
+    WeightLists lists;
+    std::vector<double> weights;
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<Index>(k);
+      weights.resize(rows.row_length(i));
+      fill(i, std::span(rows.columns_.data() + rows.rows_[i].columns, weights.size()),
+           std::span(weights));
+      rows.rows_[i].weights = lists.number_of(weights);
+    }
+    parts[begin / parallel::kChunk] = std::move(lists);
+  });
+  WeightLists all;
+  for (std::size_t c = 0; c < parts.size(); ++c) {
+    const std::size_t begin = c * parallel::kChunk;
+    rows.adopt_lists(begin, std::min<std::size_t>(n, begin + parallel::kChunk), parts[c], all);
+  }
+  rows.weights_ = std::move(all).take_weights();
+  return rows;
+}
+
+inline void SparseRows::adopt_lists(std::size_t begin, std::size_t end, const WeightLists& part,
+                                    WeightLists& all) {
+  std::vector<Index> starts(part.size());
+  for (Index number = 0; number < part.size(); ++number) {
+    starts[number] = all.start(all.number_of(part[number]));
+  }
+  for (std::size_t i = begin; i < end; ++i) rows_[i].weights = starts[rows_[i].weights];
+}
 
 }  // namespace surpass

@@ -10,9 +10,14 @@ namespace {
 // 2w.
 LimitOperator pair(double w) {
   LimitOperator op;
-  op.rows.offsets = {0, 2, 4};
-  op.rows.columns = {0, 1, 0, 1};
-  op.rows.weights = {1 - w, w, w, 1 - w};
+  op.rows = SparseRows::build(
+      {}, 2, [](Index) { return Index{2}; },
+      [w](Index i, std::span<Index> columns, std::span<double> weights) {
+        columns[0] = i;
+        columns[1] = 1 - i;
+        weights[0] = 1 - w;
+        weights[1] = w;
+      });
   op.symmetric_weight = {1, 1};
   op.lowest_eigenvalue = {0, 0};
   op.on_curve = {0, 0};

@@ -146,28 +146,29 @@ INSTANTIATE_TEST_SUITE_P(Schemes, WavefrontOf, testing::ValuesIn(all_schemes()),
 
 // Row 0 reads row 2, which is two levels away, as row 2 does not answer.
 TEST(OrderedRows, AreNotMadeWhereLevelsDoNotHold) {
-  SparseRows rows;
-  const auto add = [&](std::initializer_list<Index> columns) {
-    for (const Index c : columns) {
-      rows.columns.push_back(c);
-      rows.weights.push_back(1.0 / static_cast<double>(columns.size()));
-    }
-    rows.offsets.push_back(static_cast<Index>(rows.columns.size()));
+  std::vector<std::vector<Index>> reads = {{0, 1}, {1, 0, 2}, {2, 1, 3}, {3, 2, 0}};
+  const auto ordered = [&] {
+    const SparseRows rows = SparseRows::build(
+        {}, 4, [&](Index i) { return static_cast<Index>(reads[i].size()); },
+        [&](Index i, std::span<Index> columns, std::span<double> weights) {
+          std::copy(reads[i].begin(), reads[i].end(), columns.begin());
+          std::fill(weights.begin(), weights.end(), 1.0 / static_cast<double>(columns.size()));
+        });
+    return order_rows(rows, {0, 1, 2, 3}).has_value();
   };
-  add({0, 1});
-  add({1, 0, 2});
-  add({2, 1, 3});
-  add({3, 2, 0});
-  EXPECT_FALSE(order_rows(rows, {0, 1, 2, 3}));
-  rows.columns.back() = 3;
-  EXPECT_TRUE(order_rows(rows, {0, 1, 2, 3}));
+  EXPECT_FALSE(ordered());
+  reads[3][2] = 3;
+  EXPECT_TRUE(ordered());
 }
 
 TEST(OrderedRows, KeepEqualWeightsOnce) {
   const Problem problem = problem_of(triangle_grid(20, 20), {});
   const auto rows = order_rows(problem.op.rows, problem.blocks.surface.front().vertices);
   ASSERT_TRUE(rows);
-  EXPECT_EQ(rows->weights.size(), 7U);  // every inner vertex has valence 6
+  for (const OrderedRows::Run& run : rows->runs) {  // every inner vertex has valence 6
+    EXPECT_EQ(run.length, 7U);
+    EXPECT_EQ(run.weights, rows->runs.front().weights);
+  }
   EXPECT_EQ(rows->runs.size(), rows->level_count());
 }
 
