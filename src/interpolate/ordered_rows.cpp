@@ -1,6 +1,7 @@
 #include "interpolate/ordered_rows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace surpass {
 namespace {
@@ -35,25 +36,25 @@ class Orderer {
   }
 
  private:
+  // Rows ahead of the one at work for which memory is asked: their places in it look random.
   static constexpr Index kAhead = 8;
+  struct Row {
+    Index vertex;
+    Index weights;
+  };
   struct Level {
     Index begin;
     Index end;
     std::size_t first_run;
   };
 
-  struct Reached {
-    Index vertex;
-    Index weights;
-  };
-
   bool order_from(Index seed) {
-    Level before{0, 0, 0};
-    before.begin = before.end = placed();
+    const Index start = placed();
     reach(seed);
-    for (Level level = finish_level(before.end); level.begin < level.end;) {
-      find_neighbours(level);
-      const Level next = finish_level(level.end);
+    Level before{start, start, 0};
+    for (Level level = place_level(); level.begin < level.end;) {
+      find_neighbours();
+      const Level next = place_level();
       if (!fill_columns(level, before.begin, next.end)) return false;
       before = level;
       level = next;
@@ -66,47 +67,48 @@ class Orderer {
   void reach(Index v) {
     waiting_[v] = false;
     rows_.prefetch_row(v);
-    out_.vertices.push_back(v);
+    next_level_.push_back(v);
   }
 
-  void find_neighbours(const Level& level) {
-    for (Index i = level.begin; i < level.end; ++i) {
-      if (i + 2 * kAhead < level.end) rows_.prefetch_row(out_.vertices[i + 2 * kAhead]);
-      if (i + kAhead < level.end) rows_.prefetch_columns(out_.vertices[i + kAhead]);
-      for (const Index w : rows_.row_columns(out_.vertices[i])) {
+  // In the order in which the level itself was found, so that rows near each other stay so.
+  void find_neighbours() {
+    for (std::size_t i = 0; i < level_.size(); ++i) {
+      if (i + 2 * kAhead < level_.size()) rows_.prefetch_row(level_[i + 2 * kAhead]);
+      if (i + kAhead < level_.size()) rows_.prefetch_columns(level_[i + kAhead]);
+      for (const Index w : rows_.row_columns(level_[i])) {
         if (waiting_[w]) reach(w);
       }
     }
   }
 
-  // Sorts what was reached since `begin` by weights, by counting. Rows with equal weights keep
-  // their order, so that vertices found one after the other stay near each other.
-  Level finish_level(Index begin) {
-    const Level level{begin, placed(), out_.runs.size()};
-    if (level.begin == level.end) return level;
-    reached_.clear();
-    firsts_.clear();
-    for (Index i = begin; i < level.end; ++i) {
-      const Index v = out_.vertices[i];
-      reached_.push_back({v, rows_.weights_start(v)});
-      if (next_[reached_.back().weights]++ == 0) firsts_.push_back(v);
-    }
-    std::sort(firsts_.begin(), firsts_.end(),
-              [&](Index v, Index w) { return rows_.weights_start(v) < rows_.weights_start(w); });
-    for (const Index v : firsts_) {
+  // Gives places to what was reached, sorted by weights by counting. Rows with equal weights stay
+  // in the order in which they were found.
+  Level place_level() {
+    level_.swap(next_level_);
+    next_level_.clear();
+    Level level{placed(), placed(), out_.runs.size()};
+    if (level_.empty()) return level;
+    sorted_.clear();
+    lists_.clear();
+    for (const Index v : level_) {
       const Index weights = rows_.weights_start(v);
-      const Index end = begin + next_[weights];
-      out_.runs.push_back({begin, end, rows_.row_length(v), weights, entries_});
-      entries_ += (end - begin) * rows_.row_length(v);
+      sorted_.push_back({v, weights});
+      if (next_[weights]++ == 0) lists_.push_back({v, weights});
+    }
+    std::sort(lists_.begin(), lists_.end(),
+              [](const Row& a, const Row& b) { return a.weights < b.weights; });
+    for (const auto& [v, weights] : lists_) {
+      const Index begin = std::exchange(level.end, level.end + next_[weights]);
+      out_.runs.push_back({begin, level.end, rows_.row_length(v), weights, entries_});
+      entries_ += (level.end - begin) * rows_.row_length(v);
       next_[weights] = begin;
-      begin = end;
     }
-    for (const Reached& row : reached_) {
-      const Index place = next_[row.weights]++;
-      place_[row.vertex] = place;
-      out_.vertices[place] = row.vertex;
+    out_.vertices.resize(level.end);
+    for (const auto& [v, weights] : sorted_) {
+      place_[v] = next_[weights]++;
+      out_.vertices[place_[v]] = v;
     }
-    for (const Index v : firsts_) next_[rows_.weights_start(v)] = 0;
+    for (const Row& list : lists_) next_[list.weights] = 0;
     out_.levels.push_back(static_cast<Index>(out_.runs.size()));
     return level;
   }
@@ -119,12 +121,7 @@ class Orderer {
       const OrderedRows::Run& run = out_.runs[r];
       out_.columns.resize(at + std::size_t{run.end - run.begin} * run.length);
       for (Index i = run.begin; i < run.end; ++i) {
-        if (i + 3 * kAhead < level.end) rows_.prefetch_row(out_.vertices[i + 3 * kAhead]);
-        if (i + 2 * kAhead < level.end) rows_.prefetch_columns(out_.vertices[i + 2 * kAhead]);
-        if (i + kAhead < level.end) {
-          for (const Index w : rows_.row_columns(out_.vertices[i + kAhead]))
-            __builtin_prefetch(&place_[w]);
-        }
+        prefetch_places(i, level.end);
         for (const Index w : rows_.row_columns(out_.vertices[i])) {
           if (place_[w] == kNone && !learn(w)) return false;
           const Index place = place_[w];
@@ -134,6 +131,16 @@ class Orderer {
       }
     }
     return true;
+  }
+
+  // A row, its columns and their places lie in three different parts of memory.
+  void prefetch_places(Index i, Index end) const {
+    if (i + 3 * kAhead < end) rows_.prefetch_row(out_.vertices[i + 3 * kAhead]);
+    if (i + 2 * kAhead < end) rows_.prefetch_columns(out_.vertices[i + 2 * kAhead]);
+    if (i + kAhead >= end) return;
+    for (const Index w : rows_.row_columns(out_.vertices[i + kAhead])) {
+      __builtin_prefetch(&place_[w]);
+    }
   }
 
   // A place for what is read and not owned.
@@ -146,12 +153,13 @@ class Orderer {
 
   const SparseRows& rows_;
   const std::vector<Index>& block_;
-  std::vector<bool> waiting_;     // #V: of the block, not yet reached
-  std::vector<Index> place_;      // #V
-  std::vector<Index> known_;      // outside the block, in the order of their places
-  std::vector<Reached> reached_;  // of the level, in the order in which they were found
-  std::vector<Index>
-      firsts_;               // of each list of weights in the level, the row that was reached first
+  std::vector<bool> waiting_;  // #V: of the block, not yet reached
+  std::vector<Index> place_;   // #V
+  std::vector<Index> known_;   // outside the block, in the order of their places
+  std::vector<Index> level_;   // the newest, in the order in which it was found
+  std::vector<Index> next_level_;
+  std::vector<Row> sorted_;
+  std::vector<Row> lists_;   // of each list of weights in the level, the row that was reached first
   std::vector<Index> next_;  // by start of weights: how many rows, then the place of the next one
   Index entries_ = 0;
   OrderedRows out_;
