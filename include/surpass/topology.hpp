@@ -20,7 +20,7 @@ class Topology {
   /// neighbours of opposite orientation. Memory: about 60 bytes a vertex for triangles.
   static Result<Topology> build(const Mesh& mesh);
 
-  [[nodiscard]] Index vertex_count() const { return static_cast<Index>(outgoing_.size()); }
+  [[nodiscard]] Index vertex_count() const { return static_cast<Index>(vertices_.size()); }
   [[nodiscard]] Index face_count() const { return static_cast<Index>(face_offsets_.size() - 1); }
   [[nodiscard]] Index corner_count() const { return static_cast<Index>(face_vertices_.size()); }
   [[nodiscard]] Index edge_count() const { return static_cast<Index>(edge_halfedge_.size()); }
@@ -65,23 +65,23 @@ class Topology {
   // Vertices.
   /// A half-edge leaving v, or kNone for an isolated vertex. In an open fan it is the first spoke,
   /// the one on the boundary from which `rotate` reaches every face of the fan.
-  [[nodiscard]] Index outgoing(Index v) const { return outgoing_[v]; }
-  [[nodiscard]] bool is_isolated(Index v) const { return outgoing_[v] == kNone; }
-  [[nodiscard]] bool is_boundary(Index v) const { return (flags_[v] & kBoundary) != 0; }
+  [[nodiscard]] Index outgoing(Index v) const { return vertices_[v].outgoing; }
+  [[nodiscard]] bool is_isolated(Index v) const { return outgoing(v) == kNone; }
+  [[nodiscard]] bool is_boundary(Index v) const { return vertices_[v].boundary; }
   /// More than one fan of faces, open or closed.
-  [[nodiscard]] bool is_bowtie(Index v) const { return (flags_[v] & kBowtie) != 0; }
+  [[nodiscard]] bool is_bowtie(Index v) const { return vertices_[v].bowtie; }
   /// One starting half-edge per fan of v beyond the first, as for `outgoing`.
   [[nodiscard]] std::vector<Index> further_fans(Index v) const;
 
-  /// Number of edges at v, all fans together.
-  [[nodiscard]] Index valence(Index v) const;
   /// Number of faces at v, all fans together.
-  [[nodiscard]] Index faces_at(Index v) const;
+  [[nodiscard]] Index faces_at(Index v) const { return vertices_[v].faces; }
+  /// Number of edges at v, all fans together. O(1), but O(faces at v) for bow-ties.
+  [[nodiscard]] Index valence(Index v) const;
 
   /// Calls visit(h) for every half-edge h leaving v, counterclockwise in each fan.
   template <class Visit>
   void for_each_outgoing(Index v, Visit&& visit) const {
-    visit_fan(outgoing_[v], visit);
+    visit_fan(outgoing(v), visit);
     if (is_bowtie(v)) {
       for (const Index start : further_fans(v)) visit_fan(start, visit);
     }
@@ -102,9 +102,12 @@ class Topology {
   [[nodiscard]] Index boundary_edge_count() const { return boundary_edges_; }
 
  private:
-  static constexpr unsigned char kBoundary = 1;
-  static constexpr unsigned char kBowtie = 2;
-
+  struct Vertex {
+    Index outgoing = kNone;
+    Index faces : 30 = 0;  // enough, for a face has three corners or more
+    bool boundary : 1 = false;
+    bool bowtie : 1 = false;
+  };
   struct FurtherFan {
     Index vertex;
     Index start;
@@ -122,6 +125,12 @@ class Topology {
   Result<void> match_halfedges();
   Result<void> explain_conflict(Index a, Index b) const;
   void find_fans();
+  [[nodiscard]] bool has_further_fans() const;
+  [[nodiscard]] Index in_first_fan(Index v) const {
+    Index n = 0;
+    visit_fan(outgoing(v), [&](Index) { ++n; });
+    return n;
+  }
   void find_further_fans();
 
   std::vector<Index> face_offsets_;
@@ -131,8 +140,7 @@ class Topology {
   std::vector<Index> opposite_;
   std::vector<Index> edge_;
   std::vector<Index> edge_halfedge_;
-  std::vector<Index> outgoing_;
-  std::vector<unsigned char> flags_;
+  std::vector<Vertex> vertices_;
   std::vector<FurtherFan> further_fans_;  // ascending by vertex
   Index boundary_edges_ = 0;
 };

@@ -55,8 +55,7 @@ Result<Topology> Topology::build(const Mesh& mesh) {
   Topology t;
   t.face_offsets_ = mesh.face_offsets;
   t.face_vertices_ = mesh.face_vertices;
-  t.outgoing_.assign(mesh.points.size(), kNone);
-  t.flags_.assign(mesh.points.size(), 0);
+  t.vertices_.resize(mesh.points.size());
   t.all_triangles_ = all_triangles(mesh);
   if (!t.all_triangles_) t.face_of_ = corner_faces(mesh);
   if (auto matched = t.match_halfedges(); !matched) return tl::make_unexpected(matched.error());
@@ -119,33 +118,62 @@ Result<void> Topology::explain_conflict(Index a, Index b) const {
 // Chooses a start for every fan: the first spoke of an open fan, else the smallest half-edge.
 void Topology::find_fans() {
   for (Index h = 0; h < corner_count(); ++h) {
-    const Index v = tail(h);
-    const Index old = outgoing_[v];
+    Vertex& v = vertices_[tail(h)];
+    ++v.faces;
     if (opposite_[h] == kNone) {
-      flags_[v] |= kBoundary;
-      if (old == kNone || opposite_[old] != kNone) outgoing_[v] = h;
-    } else if (old == kNone) {
-      outgoing_[v] = h;
+      v.boundary = true;
+      if (v.outgoing == kNone || opposite_[v.outgoing] != kNone) v.outgoing = h;
+    } else if (v.outgoing == kNone) {
+      v.outgoing = h;
     }
   }
-  Index in_first_fans = 0;
-  for (Index v = 0; v < vertex_count(); ++v) {
-    visit_fan(outgoing_[v], [&](Index) { ++in_first_fans; });
+  if (has_further_fans()) find_further_fans();
+}
+
+// Walks around several vertices abreast: a step waits for the memory that the one before names, but
+// not for the steps around other vertices.
+bool Topology::has_further_fans() const {
+  constexpr Index kAbreast = 8;
+  Index v = 0;
+  for (; v + kAbreast <= vertex_count(); v += kAbreast) {
+    Index at[kAbreast];
+    Index left[kAbreast];  // steps until the closed fan must be through
+    Index most = 0;
+    for (Index k = 0; k < kAbreast; ++k) {
+      const Vertex& vertex = vertices_[v + k];
+      const bool closed = !vertex.boundary && vertex.outgoing != kNone;
+      if (!closed && in_first_fan(v + k) != vertex.faces) return true;
+      at[k] = closed ? vertex.outgoing : 0;
+      left[k] = closed ? vertex.faces : 0;
+      most = std::max(most, left[k]);
+    }
+    bool early = false;
+    for (Index step = 1; step < most; ++step) {
+      for (Index k = 0; k < kAbreast; ++k) {
+        const Index next = rotate(at[k]);
+        at[k] = step < left[k] ? next : at[k];
+        early |= step < left[k] && next == vertices_[v + k].outgoing;
+      }
+    }
+    if (early) return true;
   }
-  if (in_first_fans != corner_count()) find_further_fans();
+  for (; v < vertex_count(); ++v) {
+    if (in_first_fan(v) != vertices_[v].faces) return true;
+  }
+  return false;
 }
 
 // A vertex with corners outside its first fan is a bow-tie.
 void Topology::find_further_fans() {
   std::vector<unsigned char> visited(corner_count(), 0);
   const auto mark = [&](Index start) { visit_fan(start, [&](Index h) { visited[h] = 1; }); };
-  for (const Index start : outgoing_) mark(start);
+  for (const Vertex& vertex : vertices_) mark(vertex.outgoing);
   // Open fans first, so that no fan is entered in its middle.
   for (const bool open : {true, false}) {
     for (Index h = 0; h < corner_count(); ++h) {
       if (visited[h] != 0 || (opposite_[h] == kNone) != open) continue;
       further_fans_.push_back({tail(h), h});
-      flags_[tail(h)] |= kBowtie;
+      vertices_[tail(h)].bowtie = true;
       mark(h);
     }
   }
@@ -162,15 +190,11 @@ std::vector<Index> Topology::further_fans(Index v) const {
   return starts;
 }
 
+// One more than faces in an open fan, as many in a closed one.
 Index Topology::valence(Index v) const {
+  if (!is_bowtie(v)) return faces_at(v) + (is_boundary(v) ? 1 : 0);
   Index n = 0;
   for_each_spoke(v, [&](Index, Index) { ++n; });
-  return n;
-}
-
-Index Topology::faces_at(Index v) const {
-  Index n = 0;
-  for_each_outgoing(v, [&](Index) { ++n; });
   return n;
 }
 

@@ -6,14 +6,6 @@
 namespace surpass::loop {
 namespace {
 
-// beta(n) for every valence of a plain vertex, so that no cosine is taken a million times.
-std::vector<double> beta_table(const std::vector<Index>& valences) {
-  const Index most = valences.empty() ? 0 : *std::max_element(valences.begin(), valences.end());
-  std::vector<double> table(static_cast<std::size_t>(most) + 1, 1.0);
-  for (std::size_t n = 1; n < table.size(); ++n) table[n] = beta(n);
-  return table;
-}
-
 // Interior rows: diag(n / (1 - beta)) L is symmetric, and x'Sx is half the sum over faces of
 // (x_a + x_b + x_c)^2 plus the sum of n (beta / (1 - beta) - 1/2) x^2, so every eigenvalue is at
 // least the smallest (3 beta - 1) / 2. Rows that leave vertices out form a principal submatrix.
@@ -40,6 +32,24 @@ RowFacts facts_of(const LoopRing& ring, const std::vector<double>& mask) {
   return surface_facts(ring.size(), mask[0]);
 }
 
+// The row of a plain vertex and what is known of it, by valence, so that no cosine is taken a
+// million times.
+struct PlainRow {
+  double own = 1;
+  double neighbour = 0;
+  RowFacts facts = {};
+};
+std::vector<PlainRow> plain_rows(const Topology& topology) {
+  Index most = 0;
+  for (Index v = 0; v < topology.vertex_count(); ++v) most = std::max(most, topology.valence(v));
+  std::vector<PlainRow> rows(std::size_t{most} + 1);
+  for (std::size_t n = 1; n < rows.size(); ++n) {
+    const double own = beta(n);
+    rows[n] = {own, (1 - own) / static_cast<double>(n), surface_facts(n, own)};
+  }
+  return rows;
+}
+
 }  // namespace
 
 Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& topology,
@@ -48,15 +58,7 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
   if (!sharpness) return tl::make_unexpected(sharpness.error());
 
   const Index n = topology.vertex_count();
-  std::vector<Index> valence(n);
-  parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      valence[v] =
-          sharpness->is_plain(static_cast<Index>(v)) ? topology.valence(static_cast<Index>(v)) : 0;
-    }
-  });
-  const std::vector<double> betas = beta_table(valence);
-
+  const std::vector<PlainRow> plain = plain_rows(topology);
   LimitOperator op(n);
   const auto special_mask = [&](Index v) {
     return limit_mask(LoopRing::around(topology, *sharpness, rules.boundary, v));
@@ -70,7 +72,7 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
       context, n,
       [&](Index v) -> Index {
         if (topology.is_isolated(v)) return 1;
-        return valence[v] != 0 ? valence[v] + 1 : used(special_mask(v));
+        return sharpness->is_plain(v) ? topology.valence(v) + 1 : used(special_mask(v));
       },
       [&](Index v, std::span<Index> columns, std::span<double> weights) {
         if (topology.is_isolated(v)) {
@@ -78,14 +80,14 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
           weights[0] = 1;
           return;
         }
-        if (valence[v] != 0) {
-          const double b = betas[valence[v]];
+        if (sharpness->is_plain(v)) {
+          const PlainRow& row = plain[columns.size() - 1];
           columns[0] = v;
-          weights[0] = b;
+          weights[0] = row.own;
           std::size_t k = 1;
-          topology.for_each_spoke(v, [&](Index w, Index) { columns[k++] = w; });
-          std::fill(weights.begin() + 1, weights.end(), (1 - b) / valence[v]);
-          op.note(v, surface_facts(valence[v], b));
+          topology.for_each_outgoing(v, [&](Index h) { columns[k++] = topology.head(h); });
+          std::fill(weights.begin() + 1, weights.end(), row.neighbour);
+          op.note(v, row.facts);
           return;
         }
         const LoopRing ring = LoopRing::around(topology, *sharpness, rules.boundary, v);

@@ -131,6 +131,27 @@ TEST(Topology, BowtieOfAnOpenAndAClosedFan) {
   EXPECT_EQ(t.opposite(t.previous(t.outgoing(0))), kNone);
 }
 
+TEST(Topology, OneBowtieAmongManyVertices) {
+  // Fifty tetrahedra, two of which share a vertex: anywhere among the vertices, the last included.
+  for (Index shared = 0; shared < 50; ++shared) {
+    std::vector<Face> faces;
+    for (Index k = 0; k < 50; ++k) {
+      const Index a = 4 * k;
+      const Index apex = k == 49 ? 4 * shared : a;
+      const Index b = a + 1;
+      const Index c = a + 2;
+      const Index d = a + 3;
+      for (const Face& face :
+           {Face{apex, c, b}, Face{apex, b, d}, Face{b, c, d}, Face{apex, d, c}}) {
+        faces.push_back(face);
+      }
+    }
+    const Topology t = built(samples::faces(200, faces));
+    for (Index v = 0; v < 200; ++v) EXPECT_EQ(t.is_bowtie(v), v == 4 * shared && shared != 49);
+    EXPECT_EQ(t.valence(4 * shared), shared == 49 ? 3U : 6U);
+  }
+}
+
 TEST(Topology, IsolatedVerticesHaveNoRing) {
   Mesh mesh = samples::tetrahedron();
   mesh.points.push_back({5, 5, 5});
