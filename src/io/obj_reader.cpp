@@ -42,6 +42,13 @@ class ObjReader {
     std::size_t count;
   };
 
+  // A file's rows are much alike, so the first of them tell how many will come. What is reserved in
+  // vain is never touched.
+  static constexpr std::size_t kSample = 1024;
+  [[nodiscard]] std::size_t rows_to_come(const char* first_row) const {
+    return scan_.left() / (1 + static_cast<std::size_t>(scan_.at() - first_row) / kSample);
+  }
+
   bool read_line();
   bool read_statement();
   bool read_vertex();
@@ -72,6 +79,8 @@ class ObjReader {
   std::size_t weighted_ = 0;
   std::vector<Skipped> skipped_;
   const char* first_skipped_ = nullptr;
+  const char* first_vertex_ = nullptr;
+  const char* first_face_ = nullptr;
 };
 
 bool ObjReader::read_line() {
@@ -112,6 +121,8 @@ bool ObjReader::read_statement() {
 }
 
 bool ObjReader::read_vertex() {
+  if (vertices_.count == 0) first_vertex_ = scan_.at();
+  if (vertices_.count == kSample) mesh_.points.reserve(kSample + rows_to_come(first_vertex_));
   Point& point = mesh_.points.emplace_back();
   for (std::size_t k = 0; k < 3; ++k) {
     scan_.skip_blanks();
@@ -176,6 +187,12 @@ bool ObjReader::read_normal() {
 
 bool ObjReader::read_face() {
   const char* start = scan_.at();
+  if (faces_.count == 0) first_face_ = start;
+  if (faces_.count == kSample) {
+    const std::size_t more = rows_to_come(first_face_);
+    mesh_.face_offsets.reserve(1 + kSample + more);
+    mesh_.face_vertices.reserve(mesh_.face_vertices.size() * (1 + more / kSample));
+  }
   while (!scan_.at_line_end()) {
     Index vertex = 0;
     if (!read_index(vertices_, vertex)) return false;

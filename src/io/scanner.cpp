@@ -53,7 +53,7 @@ void Scanner::skip_statement() {
   }
 }
 
-bool Scanner::end_line() {
+bool Scanner::end_other_line() {
   if (!at_line_end()) {
     const char* start = at_;
     return fail(ErrorCode::syntax,

@@ -4,9 +4,11 @@
 
 #include <surpass/result.hpp>
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -57,7 +59,11 @@ class Scanner {
   /// The same, but a line that ends with a backslash goes on.
   void skip_statement();
   /// Moves behind the line end; anything else than blanks and a comment before it is an error.
-  [[nodiscard]] bool end_line();
+  [[nodiscard]] bool end_line() {
+    if (at_ == end_ || *at_ != '\n') return end_other_line();
+    ++at_;
+    return true;
+  }
 
   // Words and numbers, at the place where they begin.
   /// Up to the next blank, comment or line end; empty at a line end.
@@ -81,6 +87,7 @@ class Scanner {
     constexpr std::uint64_t kEnough = 1000000000000000000;
     const char* start = at_;
     value = 0;
+    if (left() >= sizeof(std::uint64_t) && few_digits(value)) return at_ != start;
     for (; at_ != end_ && *at_ >= '0' && *at_ <= '9'; ++at_) {
       if (value < kEnough) value = 10 * value + static_cast<std::uint64_t>(*at_ - '0');
     }
@@ -107,6 +114,27 @@ class Scanner {
   }
 
  private:
+  bool end_other_line();
+
+  // Up to seven digits, all at once: they go to the upper end of a word, zeros below them, and
+  // neighbours are joined into numbers of two, four and eight digits. False if there are more.
+  [[nodiscard]] bool few_digits(std::uint64_t& value) {
+    if constexpr (std::endian::native != std::endian::little) return false;
+    std::uint64_t word = 0;
+    std::memcpy(&word, at_, sizeof word);
+    constexpr std::uint64_t kZeros = 0x3030303030303030;
+    const std::uint64_t others =
+        ((word + 0x4646464646464646) | (word - kZeros) | word) & 0x8080808080808080;
+    if (others == 0) return false;
+    const auto count = static_cast<unsigned>(std::countr_zero(others)) / 8;
+    at_ += count;
+    if (count == 0) return true;
+    word = (word - kZeros) << (8 * (8 - count));
+    word = (word * 10 + (word >> 8)) & 0x00FF00FF00FF00FF;
+    word = (word * 100 + (word >> 16)) & 0x0000FFFF0000FFFF;
+    value = (word * 10000 + (word >> 32)) & 0xFFFFFFFF;
+    return true;
+  }
   bool skip_continuation();
   void skip_line_end();
   void skip_to_line_end();

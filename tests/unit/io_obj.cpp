@@ -34,6 +34,19 @@ TEST(Obj, NegativeNumbersCountBackwardsAndForwardReferencesAreLegal) {
   EXPECT_EQ(mesh.face_vertices, (Indices{0, 1, 2, 3, 0, 1}));
 }
 
+TEST(Obj, NumbersOfVerticesHaveAnyCountOfDigits) {
+  constexpr Index kCount = 1234567;
+  std::string text;
+  for (Index v = 0; v < kCount; ++v) text += "v 0 0 0\n";
+  const Indices expected = {0, 11, 122, 1233, 12344, 123455, 1234566, 6, 77, 8, 0, 9};
+  text += "f 1 12 123 1234 12345 123456 1234567\nf 007/ 00000078// 000000000000000009 ";
+  EXPECT_EQ(read(text + "1 10").face_vertices, expected);
+  EXPECT_EQ(read(text + "1 10\t# end of the file\n").face_vertices, expected);
+  for (const char* wrong : {"1x", "1\xB9", "12345678901", "18446744073709551617", "\x01"}) {
+    EXPECT_FALSE(parse_mesh(text + wrong, Format::obj, "test")) << wrong;
+  }
+}
+
 TEST(Obj, CornersKeepTextureAndNormalNumbers) {
   const Mesh mesh = read(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0.5\nvt 1 0\nvn 0 0 1\n"
