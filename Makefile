@@ -5,7 +5,7 @@ export JOBS ?= $(shell nproc)
 # A folder of further meshes for `make test` and `make papers`.
 DATA ?= $(wildcard ../shared/data)
 
-.PHONY: help demo build test bench papers format lint clean
+.PHONY: help demo build test bench counts papers format lint clean
 help:  ## print this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1: /p' $(MAKEFILE_LIST)
 
@@ -25,6 +25,10 @@ bench: need-bench  ## time Surpass beside other libraries; figures go to bench/r
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build build/bench -j $(JOBS)
 	@bench/run.sh build/bench bench/results
+
+counts: need-counts build/release/build.ninja  ## check that six small jobs take no more instructions
+	@cmake --build build/release --target surpass_app -j $(JOBS)
+	@tools/instructions.py build/release/surpass
 
 papers: need-papers build/release/build.ninja  ## repeat the figures of the papers into docs/papers; needs DATA=DIR
 	@cmake --build build/release --target surpass_app -j $(JOBS)

@@ -9,14 +9,16 @@ testing=(libgtest-dev librapidcheck-dev libcgal-dev libvalijson-dev python3)
 rivals=(libbenchmark-dev libopenmesh-dev libtinyobjloader-dev libsuitesparse-dev libcgal-dev
         libassimp-dev)
 
-job=${1:?usage: tools/install.sh demo|build|test|papers|bench|format|lint|ci}
+job=${1:?usage: tools/install.sh demo|build|test|papers|bench|counts|format|lint|ci}
 case $job in
   demo | build) packages=("${compile[@]}") ;;
   test | papers) packages=("${compile[@]}" "${testing[@]}") ;;
   bench) packages=("${compile[@]}" "${rivals[@]}") ;;
+  counts) packages=("${compile[@]}" python3 valgrind) ;;
   format) packages=(clang-format) ;;
   lint) packages=("${compile[@]}" "${testing[@]}" clang-format clang-tidy) ;;
-  ci) packages=("${compile[@]}" "${testing[@]}" clang libclang-rt-dev clang-format clang-tidy ccache) ;;
+  ci) packages=("${compile[@]}" "${testing[@]}" clang libclang-rt-dev clang-format clang-tidy
+                ccache valgrind) ;;
   *)
     echo "tools/install.sh: there is no job '$job'" >&2
     exit 1

@@ -28,14 +28,20 @@ class Topology {
   // Half-edges.
   [[nodiscard]] Index tail(Index h) const { return face_vertices_[h]; }
   [[nodiscard]] Index head(Index h) const { return face_vertices_[next(h)]; }
-  [[nodiscard]] Index face(Index h) const { return all_triangles_ ? h / 3 : face_of_[h]; }
+  [[nodiscard]] Index face(Index h) const {
+    if (common_degree_ == 3) return h / 3;
+    if (common_degree_ == 4) return h / 4;
+    return face_of_[h];
+  }
   [[nodiscard]] Index next(Index h) const {
-    if (all_triangles_) return h % 3 == 2 ? h - 2 : h + 1;
+    if (common_degree_ == 3) return h % 3 == 2 ? h - 2 : h + 1;
+    if (common_degree_ == 4) return h % 4 == 3 ? h - 3 : h + 1;
     const Index f = face(h);
     return h + 1 == face_offsets_[f + 1] ? face_offsets_[f] : h + 1;
   }
   [[nodiscard]] Index previous(Index h) const {
-    if (all_triangles_) return h % 3 == 0 ? h + 2 : h - 1;
+    if (common_degree_ == 3) return h % 3 == 0 ? h + 2 : h - 1;
+    if (common_degree_ == 4) return h % 4 == 0 ? h + 3 : h - 1;
     const Index f = face(h);
     return h == face_offsets_[f] ? face_offsets_[f + 1] - 1 : h - 1;
   }
@@ -60,7 +66,11 @@ class Topology {
   // Faces.
   [[nodiscard]] Index face_begin(Index f) const { return face_offsets_[f]; }
   [[nodiscard]] Index face_end(Index f) const { return face_offsets_[f + 1]; }
-  [[nodiscard]] Index face_degree(Index f) const { return face_end(f) - face_begin(f); }
+  [[nodiscard]] Index face_degree(Index f) const {
+    return common_degree_ != 0 ? common_degree_ : face_end(f) - face_begin(f);
+  }
+  /// 3 or 4 where all faces are triangles or quads, else 0.
+  [[nodiscard]] Index common_degree() const { return common_degree_; }
 
   // Vertices.
   /// A half-edge leaving v, or kNone for an isolated vertex. In an open fan it is the first spoke,
@@ -135,8 +145,8 @@ class Topology {
 
   std::vector<Index> face_offsets_;
   std::vector<Index> face_vertices_;
-  bool all_triangles_ = false;
-  std::vector<Index> face_of_;  // empty for triangles, where dividing is faster than looking up
+  Index common_degree_ = 0;     // 3 or 4 where all faces are such, which is worth knowing
+  std::vector<Index> face_of_;  // empty for those, where dividing is faster than looking up
   std::vector<Index> opposite_;
   std::vector<Index> edge_;
   std::vector<Index> edge_halfedge_;

@@ -3,6 +3,7 @@
 #include <surpass/topology.hpp>
 
 #include <algorithm>
+#include <functional>
 
 #include "mesh/corner_faces.hpp"
 #include "mesh/disjoint_sets.hpp"
@@ -23,6 +24,18 @@ bool is_sound_triangle(const Mesh& mesh, Index f) {
   const Index b = mesh.face_vertices[begin + 1];
   const Index c = mesh.face_vertices[begin + 2];
   return a != b && b != c && c != a && std::max({a, b, c}) < mesh.points.size();
+}
+
+// 3 or 4 if all faces have that many corners, else 0.
+Index degree_of_all_faces(const Mesh& mesh) {
+  for (const Index degree : {Index{3}, Index{4}}) {
+    const auto has_it = [&](Index begin, Index end) { return end - begin == degree; };
+    // Stops at the first pair of neighbouring offsets that is farther or less far apart.
+    const auto other =
+        std::adjacent_find(mesh.face_offsets.begin(), mesh.face_offsets.end(), std::not_fn(has_it));
+    if (other == mesh.face_offsets.end()) return degree;
+  }
+  return 0;
 }
 
 Result<void> check_faces(const Mesh& mesh) {
@@ -56,8 +69,8 @@ Result<Topology> Topology::build(const Mesh& mesh) {
   t.face_offsets_ = mesh.face_offsets;
   t.face_vertices_ = mesh.face_vertices;
   t.vertices_.resize(mesh.points.size());
-  t.all_triangles_ = all_triangles(mesh);
-  if (!t.all_triangles_) t.face_of_ = corner_faces(mesh);
+  t.common_degree_ = degree_of_all_faces(mesh);
+  if (t.common_degree_ == 0) t.face_of_ = corner_faces(mesh);
   if (auto matched = t.match_halfedges(); !matched) return tl::make_unexpected(matched.error());
   t.find_fans();
   return t;

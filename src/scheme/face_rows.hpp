@@ -10,6 +10,9 @@ namespace surpass {
 /// Columns of such a row: v, then for each face from an outgoing half-edge on its next vertex (the
 /// spoke) and its further vertices up to the next spoke. v must have one closed fan.
 [[nodiscard]] inline Index face_row_length(const Topology& topology, Index v) {
+  if (topology.common_degree() != 0) {
+    return 1 + topology.faces_at(v) * (topology.common_degree() - 2);
+  }
   Index length = 1;
   topology.for_each_outgoing(
       v, [&](Index h) { length += topology.face_degree(topology.face(h)) - 2; });
