@@ -44,9 +44,11 @@ Verdict judge_read(const Workload&, bool complete) { return {.difference = compl
 }  // namespace
 
 void add_anchors(Harness& harness, Index side) {
-  harness.add({.step = "sweep", .tool = kTool, .counted = "one triad pass over 72 bytes a vertex"},
-              side, prepare_triad,
-              [](const Workload&, double last) { return Verdict{.difference = last - 7}; });
+  for (const char* step : {"sweep", "solve again"}) {
+    harness.add({.step = step, .tool = kTool, .counted = "one triad pass over 72 bytes a vertex"},
+                side, prepare_triad,
+                [](const Workload&, double last) { return Verdict{.difference = last - 7}; });
+  }
   harness.add(
       {.step = "read OBJ",
        .tool = kTool,

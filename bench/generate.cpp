@@ -139,14 +139,26 @@ std::vector<Index> mild_shuffle(std::size_t n, Random& random) {
   return place;
 }
 
+// All faces have the same number of corners.
 void shuffle(Mesh& mesh, Random& random) {
+  const std::size_t degree = mesh.face(0).size();
   const auto vertex_place = mild_shuffle(mesh.points.size(), random);
   const auto face_place = mild_shuffle(mesh.face_count(), random);
   const Mesh old = mesh;
   for (std::size_t v = 0; v < old.points.size(); ++v) mesh.points[vertex_place[v]] = old.points[v];
   for (std::size_t h = 0; h < old.face_vertices.size(); ++h) {
-    mesh.face_vertices[3 * std::size_t{face_place[h / 3]} + h % 3] =
+    mesh.face_vertices[degree * face_place[h / degree] + h % degree] =
         vertex_place[old.face_vertices[h]];
+  }
+}
+
+void add_points(Mesh& mesh, Index rows, Index columns, Random& random) {
+  const double spacing = 1.0 / std::max(rows, columns);
+  mesh.points.reserve(std::size_t{rows} * columns);
+  for (Index i = 0; i < rows; ++i) {
+    for (Index j = 0; j < columns; ++j) {
+      mesh.points.push_back(surface_point(double(i) / rows, double(j) / columns, spacing, random));
+    }
   }
 }
 
@@ -159,17 +171,42 @@ Mesh generate_torus(Index rows, Index columns, Order order, std::uint64_t seed) 
   grid.flip_at_random(random);
 
   Mesh mesh;
-  const double spacing = 1.0 / std::max(rows, columns);
-  mesh.points.reserve(std::size_t{rows} * columns);
-  for (Index i = 0; i < rows; ++i) {
-    for (Index j = 0; j < columns; ++j) {
-      mesh.points.push_back(surface_point(double(i) / rows, double(j) / columns, spacing, random));
-    }
-  }
+  add_points(mesh, rows, columns, random);
   mesh.face_vertices = grid.corners();
   mesh.face_offsets.resize(mesh.face_vertices.size() / 3 + 1);
   for (Index f = 0; f < mesh.face_offsets.size(); ++f) mesh.face_offsets[f] = 3 * f;
   if (order == Order::mild) shuffle(mesh, random);
+  return mesh;
+}
+
+Mesh generate_quad_torus(Index rows, Index columns, std::uint64_t seed) {
+  Random random(seed);
+  Mesh mesh;
+  add_points(mesh, rows, columns, random);
+  const auto vertex = [&](Index i, Index j) { return i % rows * columns + j % columns; };
+  std::vector<Index> valence(mesh.points.size(), 4);
+  for (Index i = 0; i < rows; ++i) {
+    for (Index j = 0; j < columns; j += 2) {
+      // Around the two cells; the edge between them joins b and e, turned it joins a and d.
+      const Index a = vertex(i, j);
+      const Index b = vertex(i, j + 1);
+      const Index c = vertex(i, j + 2);
+      const Index d = vertex(i + 1, j + 2);
+      const Index e = vertex(i + 1, j + 1);
+      const Index f = vertex(i + 1, j);
+      const bool turned = random.below(4) == 0 && std::min(valence[b], valence[e]) > 3 &&
+                          std::max(valence[a], valence[d]) < 6;
+      if (turned) {
+        --valence[b], --valence[e], ++valence[a], ++valence[d];
+        mesh.add_face(std::array{a, b, c, d});
+        mesh.add_face(std::array{a, d, e, f});
+      } else {
+        mesh.add_face(std::array{a, b, e, f});
+        mesh.add_face(std::array{b, c, d, e});
+      }
+    }
+  }
+  shuffle(mesh, random);
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 namespace surpass::bench {
 
@@ -15,9 +16,15 @@ int repetitions(const Entry& entry, Index side) {
 }
 
 double processor_seconds() {
-  timespec time = {};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  timespec own = {};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &own);
+  rusage children = {};
+  ::getrusage(RUSAGE_CHILDREN, &children);
+  double seconds = static_cast<double>(own.tv_sec) + 1e-9 * static_cast<double>(own.tv_nsec);
+  for (const timeval& time : {children.ru_utime, children.ru_stime}) {
+    seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
 }
 
 void Harness::schedule() {
@@ -46,6 +53,7 @@ void record(benchmark::State& state, const Verdict& verdict, double processor_ms
   state.counters["wrong"] = verdict.agrees() ? 0 : 1;
   if (verdict.error) state.counters["error"] = *verdict.error;
   if (verdict.sweeps) state.counters["sweeps"] = *verdict.sweeps;
+  if (verdict.peak) state.counters["peak"] = *verdict.peak;
 }
 
 void Harness::settle(const std::string& name, const Verdict& verdict) {

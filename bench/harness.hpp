@@ -30,6 +30,7 @@ struct Verdict {
   std::optional<double> error = {};  ///< of an interpolation: largest distance to a given point;
                                      ///< more than kTolerance fails the run as well
   std::optional<double> sweeps = {};
+  std::optional<double> peak = {};  ///< bytes a vertex that a process of its own held at most
 
   [[nodiscard]] bool agrees() const {
     return difference <= allowed && (!error || *error <= kTolerance);
@@ -42,8 +43,8 @@ struct Verdict {
 /// Writes the figures of one run beside its time.
 void record(benchmark::State& state, const Verdict& verdict, double processor_ms);
 
-/// What all threads of the process have used. Beside the wall clock it shows how busy the machine
-/// was with other work.
+/// What all threads of the process and its children have used. Beside the wall clock it shows how
+/// busy the machine was with other work.
 [[nodiscard]] double processor_seconds();
 
 class Harness {

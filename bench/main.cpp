@@ -18,8 +18,9 @@ int run(int argc, char** argv) {
   Workloads workloads(std::filesystem::temp_directory_path() / "surpass_bench");
   Harness harness(workloads);
   for (const auto side : kSides) {
-    for (const auto add : {add_surpass, add_anchors, add_opensubdiv, add_openmesh, add_cgal,
-                           add_tinyobjloader, add_assimp, add_cholmod, add_eigen}) {
+    for (const auto add :
+         {add_surpass, add_command, add_schemes, add_anchors, add_opensubdiv, add_openmesh,
+          add_cgal, add_tinyobjloader, add_assimp, add_cholmod, add_eigen}) {
       add(harness, side);
     }
   }

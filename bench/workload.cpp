@@ -66,7 +66,8 @@ double largest_side(std::span<const Point> points) {
 }  // namespace
 
 Workload::Workload(Index side, const std::filesystem::path& folder)
-    : mesh_(generate_torus(side, side, Order::mild)),
+    : side_(side),
+      mesh_(generate_torus(side, side, Order::mild)),
       box_side_(largest_side(mesh_.points)),
       obj_((folder / fmt::format("torus{}.obj", side)).string()),
       ply_((folder / fmt::format("torus{}.ply", side)).string()),
@@ -80,6 +81,11 @@ Workload::Workload(Index side, const std::filesystem::path& folder)
 Workload::~Workload() {
   std::remove(obj_.c_str());
   std::remove(ply_.c_str());
+}
+
+const Mesh& Workload::quads() const {
+  if (quads_.points.empty()) quads_ = generate_quad_torus(side_, side_);
+  return quads_;
 }
 
 double Workload::difference(std::span<const Point> a, std::span<const Point> b) const {

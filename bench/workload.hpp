@@ -27,6 +27,8 @@ class Workload {
   Workload& operator=(const Workload&) = delete;
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  /// As many vertices, in quads.
+  [[nodiscard]] const Mesh& quads() const;
   [[nodiscard]] const std::string& obj() const { return obj_; }
   [[nodiscard]] const std::string& ply() const { return ply_; }
 
@@ -42,7 +44,9 @@ class Workload {
   [[nodiscard]] const std::vector<Point>& control() const;
 
  private:
+  Index side_;
   Mesh mesh_;
+  mutable Mesh quads_;  // on first demand
   double box_side_;
   std::string obj_;
   std::string ply_;
