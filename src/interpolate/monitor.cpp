@@ -27,6 +27,15 @@ Verdict Monitor::record(const ErrorNorms& norms, unsigned steps) {
   return rule_.stop_when_stalled && hopeless ? Verdict::stalled : Verdict::go_on;
 }
 
+void Monitor::announce(double part, unsigned steps) const {
+  if (last_.iteration == 0) return;  // nothing is known yet
+  const auto done = static_cast<unsigned>(part * steps);
+  system_.context.report({.stage = rule_.stage,
+                          .fraction = std::lerp(fraction(), 1.0, part),
+                          .iteration = last_.iteration + done,
+                          .error = last_.max});
+}
+
 double Monitor::fraction() const {
   if (last_.max <= rule_.tolerance) return 1;
   const double whole = std::log(first_.max / rule_.tolerance);

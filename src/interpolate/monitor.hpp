@@ -33,6 +33,9 @@ class Monitor {
   /// Takes the error of the next evaluation of the limit, or of the one `steps` ahead.
   Verdict record(const ErrorNorms& norms, unsigned steps = 1);
 
+  /// Tells how far the `steps` evaluations to come are, of which only the last will be recorded.
+  void announce(double part, unsigned steps) const;
+
   /// By how much the last error is above the tolerance, as a factor.
   [[nodiscard]] double excess() const { return last_.max / rule_.tolerance; }
   [[nodiscard]] unsigned iterations_left() const { return rule_.max_iterations - last_.iteration; }

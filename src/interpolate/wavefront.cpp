@@ -4,6 +4,7 @@
 #include "interpolate/wavefront.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace surpass {
@@ -33,6 +34,10 @@ void include(ErrorNorms& norms, const Four& r, double scale) {
   if (distance > norms.max || std::isnan(distance)) norms.max = distance;
   norms.sum += distance;
 }
+
+// Below that, a second thread costs more than it gains.
+constexpr std::size_t kSweepsToShare = 4;
+constexpr Index kRowsToShare = 65536;
 
 // One run. With a constant kLength the loop over a row's entries has no branch.
 template <Index kLength, bool kMeasured>
@@ -115,25 +120,79 @@ Wavefront::Wavefront(const OrderedRows& rows, const LinearSystem& system, std::s
   });
 }
 
-std::optional<ErrorNorms> Wavefront::advance(std::span<const Sweep> sweeps) {
-  const std::size_t first = 1 - measured_;
-  const std::size_t levels = rows_.level_count();
-  const std::size_t last = sweeps.size() - 1;
-  ErrorNorms norms;
-  for (std::size_t front = 0; front < levels + last; ++front) {
-    if (system_.context.cancelled()) return std::nullopt;
-    for (std::size_t s = 0; s <= std::min(front, last); ++s) {
-      if (front - s >= levels) continue;
-      const std::size_t from = (first + s) % 2;
-      const Arrays arrays{target_.get(), points_[from].get(), points_[1 - from].get()};
-      if (s < last) {
-        sweep_level(rows_, front - s, arrays, sweeps[s]);
-      } else {
-        sweep_and_measure_level(rows_, front - s, arrays, sweeps[s], system_.scale, norms);
-      }
+// How far a group of sweeps is: the levels that its last sweep has passed. The next group waits
+// here, asleep.
+struct Wavefront::Passage {
+  std::atomic<std::size_t> passed{0};
+  void pass(std::size_t levels) {
+    passed.store(levels, std::memory_order_release);
+    passed.notify_one();
+  }
+  void await(std::size_t levels) const {
+    for (std::size_t now = passed.load(std::memory_order_acquire); now < levels;
+         now = passed.load(std::memory_order_acquire)) {
+      passed.wait(now, std::memory_order_acquire);
     }
   }
-  measured_ = (first + last) % 2;
+};
+
+// A sweep may be at a level when the one before has passed the next level: then all that it reads
+// is there, and what it overwrites is not needed any more.
+bool Wavefront::sweep_together(std::span<const Sweep> sweeps, std::size_t parity, Passage* before,
+                               Passage* after, ErrorNorms* norms,
+                               const std::function<void(double)>& tick) const {
+  const std::size_t levels = rows_.level_count();
+  const std::size_t last = sweeps.size() - 1;
+  const std::size_t fronts = levels + last;
+  const std::size_t between_ticks = fronts / 32 + 1;
+  bool completed = true;
+  for (std::size_t front = 0; front < fronts && completed; ++front) {
+    if (before != nullptr) before->await(std::min(front + 2, levels));
+    completed = !system_.context.cancelled();
+    if (tick && front % between_ticks == 0) {
+      tick(static_cast<double>(front) / static_cast<double>(fronts));
+    }
+    for (std::size_t s = 0; s <= std::min(front, last); ++s) {
+      if (front - s >= levels) continue;
+      const std::size_t from = (parity + s) % 2;
+      const Arrays arrays{target_.get(), points_[from].get(), points_[1 - from].get()};
+      if (norms != nullptr && s == last) {
+        sweep_and_measure_level(rows_, front - s, arrays, sweeps[s], system_.scale, *norms);
+      } else {
+        sweep_level(rows_, front - s, arrays, sweeps[s]);
+      }
+    }
+    if (after != nullptr && front >= last) after->pass(front - last + 1);
+  }
+  if (after != nullptr) after->pass(levels);  // cancelled or not, so that nobody waits for ever
+  return completed;
+}
+
+std::optional<ErrorNorms> Wavefront::advance(std::span<const Sweep> sweeps,
+                                             const std::function<void(double)>& tick) {
+  const std::size_t first = 1 - measured_;
+  ErrorNorms norms;
+  bool completed = false;
+  if (sweeps.size() < kSweepsToShare || rows_.row_count < kRowsToShare) {
+    completed = sweep_together(sweeps, first, nullptr, nullptr, &norms, tick);
+  } else {
+    // Two threads: the earlier half of the sweeps, and behind it the later one.
+    const std::size_t half = sweeps.size() / 2;
+    Passage passage;
+    bool earlier = false;
+    bool later = false;
+    parallel::run_beside(
+        system_.context,
+        [&] {
+          earlier = sweep_together(sweeps.first(half), first, nullptr, &passage, nullptr, tick);
+        },
+        [&] {
+          later = sweep_together(sweeps.subspan(half), first + half, &passage, nullptr, &norms, {});
+        });
+    completed = earlier && later;
+  }
+  if (!completed) return std::nullopt;
+  measured_ = (first + sweeps.size() - 1) % 2;
   return norms;
 }
 
@@ -176,7 +235,8 @@ Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
   // loss of up to 2.
   unsigned count = 1;
   for (double loss = 2;; loss = 1) {
-    const auto norms = front.advance(next_sweeps(coefficients, count));
+    const auto norms = front.advance(next_sweeps(coefficients, count),
+                                     [&](double part) { monitor.announce(part, count); });
     verdict = norms ? monitor.record(*norms, count) : Verdict::cancelled;
     if (verdict != Verdict::go_on) break;
     count = std::min(likely_sweeps(loss * monitor.excess(), coefficients.reduction()),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,8 +33,9 @@ class Wavefront {
   };
 
   /// Does all sweeps, at least one; the errors are those of the point before the last one. Nothing
-  /// if cancelled.
-  std::optional<ErrorNorms> advance(std::span<const Sweep> sweeps);
+  /// if cancelled. `tick`, if there is one, is told now and then which part is done.
+  std::optional<ErrorNorms> advance(std::span<const Sweep> sweeps,
+                                    const std::function<void(double)>& tick = {});
 
   /// The point that was measured last, written to the block's part of x.
   void copy_measured(std::span<double> x) const { copy(measured_, x); }
@@ -41,6 +43,10 @@ class Wavefront {
   void copy_newest(std::span<double> x) const { copy(1 - measured_, x); }
 
  private:
+  struct Passage;
+  bool sweep_together(std::span<const Sweep> sweeps, std::size_t parity, Passage* before,
+                      Passage* after, ErrorNorms* norms,
+                      const std::function<void(double)>& tick) const;
   void copy(std::size_t from, std::span<double> x) const;
 
   const OrderedRows& rows_;

@@ -1,5 +1,10 @@
 #include "parallel/parallel.hpp"
 
+#if defined(SURPASS_THREADS_TBB) || defined(SURPASS_THREADS_STD)
+#include <system_error>
+#include <thread>
+#endif
+
 #if defined(SURPASS_THREADS_TBB)
 #include <optional>
 
@@ -9,7 +14,6 @@
 #include <tbb/task_arena.h>
 #elif defined(SURPASS_THREADS_STD)
 #include <atomic>
-#include <thread>
 #endif
 
 namespace surpass::parallel {
@@ -61,6 +65,27 @@ static void run_on_threads(int, std::size_t chunks, ChunkTask task) {
 }
 
 #endif
+
+// Not a task: a task that waits might keep the one that it waits for from running.
+void run_beside(const Context& context, const std::function<void()>& first,
+                const std::function<void()>& second) {
+#if defined(SURPASS_THREADS_TBB) || defined(SURPASS_THREADS_STD)
+  if (thread_count(context) > 1) {
+    std::thread beside;
+    try {
+      beside = std::thread(second);
+    } catch (const std::system_error&) {  // no more threads are to be had
+    }
+    first();
+    if (beside.joinable()) return beside.join();
+    return second();
+  }
+#else
+  static_cast<void>(context);
+#endif
+  first();
+  second();
+}
 
 void run_chunks(int threads, std::size_t chunks, ChunkTask task) {
   if (threads <= 1 || chunks <= 1) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct ChunkTask {
 /// Calls task(c) for c in [0, chunks), in any order, on up to `threads` threads; returns when all
 /// are done. With one chunk or one thread everything happens on the caller's own thread.
 void run_chunks(int threads, std::size_t chunks, ChunkTask task);
+
+/// Calls first() here and, beside it, second() on a thread of its own if more than one is allowed
+/// and to be had; else one after the other. So second may wait for first, never first for second.
+/// Neither may throw.
+void run_beside(const Context& context, const std::function<void()>& first,
+                const std::function<void()>& second);
 
 /// Calls body(begin, end) for consecutive chunks of [0, n).
 template <class Body>

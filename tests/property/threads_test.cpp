@@ -39,6 +39,24 @@ TEST(Threads, InterpolationHasTheSameBits) {
   }
 }
 
+// Large enough for sweeps to be shared among threads.
+TEST(Threads, SharedSweepsHaveTheSameBits) {
+  Mesh mesh = refine(large_mesh(), {}, 1).value();
+  ASSERT_GT(mesh.points.size(), 65536U);
+  Context context;
+  context.threads = 1;
+  const auto one = interpolate(mesh, {.tolerance = 1e-10}, context);
+  ASSERT_TRUE(one) << describe(one.error());
+  EXPECT_GT(one->report.iterations, 5U);
+  for (const int threads : {2, 8}) {
+    context.threads = threads;
+    const auto many = interpolate(mesh, {.tolerance = 1e-10}, context);
+    ASSERT_TRUE(many);
+    EXPECT_EQ(one->control, many->control) << threads;
+    EXPECT_EQ(one->report.final.max, many->report.final.max);
+  }
+}
+
 TEST(Threads, ConjugateGradientsHaveTheSameBits) {
   Mesh mesh = large_mesh();
   mesh.creases.clear();
