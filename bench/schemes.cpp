@@ -10,7 +10,7 @@
 namespace surpass::bench {
 namespace {
 
-constexpr Context kOneThread{.threads = 1};
+const Context kOneThread{.threads = 1};
 constexpr int kFrames = 100;
 
 std::shared_ptr<const Interpolator> prepared(const Mesh& mesh, Scheme scheme) {

@@ -48,13 +48,11 @@ TEST(Threads, SharedSweepsHaveTheSameBits) {
   const auto one = interpolate(mesh, {.tolerance = 1e-10}, context);
   ASSERT_TRUE(one) << describe(one.error());
   EXPECT_GT(one->report.iterations, 5U);
-  for (const int threads : {2, 8}) {
-    context.threads = threads;
-    const auto many = interpolate(mesh, {.tolerance = 1e-10}, context);
-    ASSERT_TRUE(many);
-    EXPECT_EQ(one->control, many->control) << threads;
-    EXPECT_EQ(one->report.final.max, many->report.final.max);
-  }
+  context.threads = 2;
+  const auto two = interpolate(mesh, {.tolerance = 1e-10}, context);
+  ASSERT_TRUE(two);
+  EXPECT_EQ(one->control, two->control);
+  EXPECT_EQ(one->report.final.max, two->report.final.max);
 }
 
 TEST(Threads, ConjugateGradientsHaveTheSameBits) {
