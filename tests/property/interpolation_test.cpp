@@ -1,13 +1,30 @@
 // Interpolation against dense linear algebra, naive code, and its own promises.
+#include <random>
+#include <span>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "generators.hpp"
 #include "support/dense.hpp"
+#include "support/meshes.hpp"
 
 namespace surpass {
 namespace {
+
+TEST(Interpolation, APreparedTopologyEvaluatesLimitsToo) {
+  std::mt19937_64 random(5);
+  const Mesh mesh = test::random_mesh({.seed = 5, .kind = 3, .size = 6, .creases = 0.1});
+  const auto solver = Interpolator::create(mesh);
+  ASSERT_TRUE(solver) << describe(solver.error());
+  const Mesh moved = test::jitter(mesh, random, 0.1);
+  const auto limits = solver->limit_positions(moved.points);
+  ASSERT_TRUE(limits);
+  EXPECT_EQ(*limits, *limit_positions(moved, {}));
+  const std::span<const Point> too_few = std::span(moved.points).first(3);
+  ASSERT_FALSE(solver->limit_positions(too_few));
+  EXPECT_EQ(solver->limit_positions(too_few).error().code, ErrorCode::mismatch);
+}
 
 TEST(Interpolation, PassesThroughEveryPointWithEverySolver) {
   test::check("interpolation", 40, [] {
