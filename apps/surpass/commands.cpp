@@ -8,6 +8,7 @@ std::unique_ptr<Command> make_subdivide();
 std::unique_ptr<Command> make_check();
 std::unique_ptr<Command> make_inspect();
 std::unique_ptr<Command> make_compare();
+std::unique_ptr<Command> make_quality();
 std::unique_ptr<Command> make_convert();
 std::unique_ptr<Command> make_render();
 
@@ -20,6 +21,8 @@ std::span<const CommandEntry> commands() {
       {"check", "does a control mesh's limit surface pass through the given vertices?", make_check},
       {"inspect", "counts, boundaries, valences, creases, and what would be refused", make_inspect},
       {"compare", "distances between two surfaces", make_compare},
+      {"quality", "fairness of limit surfaces: energies, curvatures, normals against a reference",
+       make_quality},
       {"convert", "read a mesh in one format and write it in another", make_convert},
       {"render", "draw a shaded picture without a display", make_render},
   };

@@ -163,6 +163,11 @@ Option Options::add(const std::string& name, std::vector<Index>& target,
   return Option(app_->add_option(name, target, description));
 }
 
+Option Options::add(const std::string& name, std::vector<std::string>& target,
+                    const std::string& description) {
+  return Option(app_->add_option(name, target, description));
+}
+
 Option Options::flag(const std::string& name, bool& target, const std::string& description) {
   return Option(app_->add_flag(name, target, description));
 }

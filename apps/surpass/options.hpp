@@ -53,6 +53,8 @@ class Options {
   Option add(const std::string& name, int& target, const std::string& description);
   Option add(const std::string& name, Index& target, const std::string& description);
   Option add(const std::string& name, std::vector<Index>& target, const std::string& description);
+  Option add(const std::string& name, std::vector<std::string>& target,
+             const std::string& description);
   Option flag(const std::string& name, bool& target, const std::string& description);
 
   /// An option that takes one of a few names, as name_of(value) writes them. `target` is a Value,

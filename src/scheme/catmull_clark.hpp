@@ -20,6 +20,9 @@ class CatmullClark final : public SubdivisionScheme {
   [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
                                                          const Rules& rules,
                                                          const Context& context) const override;
+  [[nodiscard]] Spot spot(const Topology& topology, const Sharpness& sharpness,
+                          Index v) const override;
+  [[nodiscard]] LimitJet jet(const Mesh& mesh, const Topology& topology, Index v) const override;
 };
 
 }  // namespace surpass::catmull_clark

@@ -38,6 +38,13 @@ class DooSabin final : public SubdivisionScheme {
   /// vertices' limits come first.
   [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
                                         const Context& context) const override;
+  [[nodiscard]] Spot spot(const Topology& topology, const Sharpness& sharpness,
+                          Index v) const override;
+  [[nodiscard]] LimitJet jet(const Mesh& mesh, const Topology& topology, Index v) const override;
+  /// A patch a vertex, its sample at its centre: second derivatives jump between patches.
+  [[nodiscard]] Result<LimitSamples> limit_samples(const Mesh& control, const Rules& rules,
+                                                   int levels,
+                                                   const Context& context) const override;
 };
 
 }  // namespace surpass::doo_sabin

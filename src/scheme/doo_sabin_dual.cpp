@@ -1,114 +1,97 @@
-// The limit mesh is the dual of the refined one: limit points are known at faces, on curve edges
-// and at kept vertices, not at the refined vertices, and the dual's faces are what the refined
-// mesh's vertices would turn into in the next step.
-#include <unordered_map>
+#include "scheme/doo_sabin_dual.hpp"
 
 #include "scheme/doo_sabin.hpp"
 #include "scheme/doo_sabin_attributes.hpp"
 #include "scheme/doo_sabin_sites.hpp"
 
 namespace surpass::doo_sabin {
-namespace {
 
-class Dual {
- public:
-  explicit Dual(const Level& level)
-      : level_(level),
-        layout_(level.layout),
-        topology_(*level.topology),
-        of_face_(topology_.face_count(), kNone),
-        of_curve_edge_(layout_.curve_edges().size(), kNone),
-        of_kept_(layout_.kept_vertices().size(), kNone) {
-    for (const Site& site : level.sites) add(site);
-    for (Index f = 0; f < topology_.face_count(); ++f) add({Site::Kind::face, f});
-    for (const Index e : layout_.curve_edges()) {
-      add({Site::Kind::edge, topology_.edge_halfedge(e)});
+Dual::Dual(const Level& level)
+    : level_(level),
+      layout_(level.layout),
+      topology_(*level.topology),
+      of_face_(topology_.face_count(), kNone),
+      of_curve_edge_(layout_.curve_edges().size(), kNone),
+      of_kept_(layout_.kept_vertices().size(), kNone) {
+  for (const Site& site : level.sites) add(site);
+  for (Index f = 0; f < topology_.face_count(); ++f) add({Site::Kind::face, f});
+  for (const Index e : layout_.curve_edges()) {
+    add({Site::Kind::edge, topology_.edge_halfedge(e)});
+  }
+  for (const Index v : layout_.kept_vertices()) add({Site::Kind::vertex, v});
+}
+
+std::vector<Index> Dual::put_faces(Mesh& mesh) const {
+  NewFaces faces;
+  std::vector<Index> vertices;
+  for (Index v = 0; v < topology_.vertex_count(); ++v) {
+    append_vertex_faces(layout_, v, faces);
+    vertices.resize(faces.count(), v);
+  }
+  mesh.face_offsets = {0};
+  mesh.face_vertices.clear();
+  for (Index f = 0; f < faces.count(); ++f) {
+    const Index m = faces.size(f);
+    for (Index i = 0; i < m; ++i) {
+      const NewCorner& corner = faces.corners[faces.offsets[f] + i];
+      const NewCorner& next = faces.corners[faces.offsets[f] + (i + 1) % m];
+      mesh.face_vertices.push_back(number(corner));
+      const Index between = point_between(corner, next);
+      if (between != kNone) mesh.face_vertices.push_back(between);
     }
-    for (const Index v : layout_.kept_vertices()) add({Site::Kind::vertex, v});
+    mesh.face_offsets.push_back(mesh.corner_count());
   }
+  mesh.hole_faces = inherited_holes(level_.mesh, topology_, faces);
+  return vertices;
+}
 
-  [[nodiscard]] const std::vector<Site>& sites() const { return sites_; }
+Index& Dual::number(const Site& site) {
+  if (site.kind == Site::Kind::face) return of_face_[site.at];
+  if (site.kind == Site::Kind::vertex) return of_kept_[layout_.kept_rank(site.at)];
+  const Index e = topology_.edge(site.at);
+  if (layout_.is_curve(e)) return of_curve_edge_[layout_.curve_rank(e)];
+  return of_smooth_edge_.try_emplace(e, kNone).first->second;
+}
 
-  // Faces of the dual, replacing those of `mesh`.
-  void put_faces(Mesh& mesh) const {
-    NewFaces faces;
-    for (Index v = 0; v < topology_.vertex_count(); ++v) append_vertex_faces(layout_, v, faces);
-    mesh.face_offsets = {0};
-    mesh.face_vertices.clear();
-    for (Index f = 0; f < faces.count(); ++f) {
-      const Index m = faces.size(f);
-      for (Index i = 0; i < m; ++i) {
-        const NewCorner& corner = faces.corners[faces.offsets[f] + i];
-        const NewCorner& next = faces.corners[faces.offsets[f] + (i + 1) % m];
-        mesh.face_vertices.push_back(number(corner));
-        const Index between = point_between(corner, next);
-        if (between != kNone) mesh.face_vertices.push_back(between);
-      }
-      mesh.face_offsets.push_back(mesh.corner_count());
-    }
-    mesh.hole_faces = inherited_holes(level_.mesh, topology_, faces);
-  }
+void Dual::add(const Site& site) {
+  Index& n = number(site);
+  if (n != kNone) return;
+  n = static_cast<Index>(sites_.size());
+  sites_.push_back(site);
+}
 
- private:
-  Index& number(const Site& site) {
-    if (site.kind == Site::Kind::face) return of_face_[site.at];
-    if (site.kind == Site::Kind::vertex) return of_kept_[layout_.kept_rank(site.at)];
-    const Index e = topology_.edge(site.at);
-    if (layout_.is_curve(e)) return of_curve_edge_[layout_.curve_rank(e)];
-    return of_smooth_edge_.try_emplace(e, kNone).first->second;
-  }
-  void add(const Site& site) {
-    Index& n = number(site);
-    if (n != kNone) return;
-    n = static_cast<Index>(sites_.size());
-    sites_.push_back(site);
-  }
+Index Dual::number(const NewCorner& corner) const {
+  if (corner.toward == kNone) return of_face_[topology_.face(corner.at)];
+  if (corner.toward == corner.at) return of_kept_[layout_.kept_rank(topology_.tail(corner.at))];
+  return of_curve_edge_[(corner.point - layout_.first_curve_point()) / 2];
+}
 
-  [[nodiscard]] Index number(const NewCorner& corner) const {
-    if (corner.toward == kNone) return of_face_[topology_.face(corner.at)];
-    if (corner.toward == corner.at) {
-      return of_kept_[layout_.kept_rank(topology_.tail(corner.at))];
-    }
-    return of_curve_edge_[(corner.point - layout_.first_curve_point()) / 2];
-  }
+Index Dual::point_between(const NewCorner& a, const NewCorner& b) const {
+  if (a.toward != kNone || b.toward != kNone) return kNone;
+  const auto on_edge = of_smooth_edge_.find(topology_.edge(b.at));
+  if (on_edge != of_smooth_edge_.end()) return on_edge->second;
+  if (!layout_.is_lens(topology_.opposite(b.at))) return kNone;
+  return of_kept_[layout_.kept_rank(topology_.head(b.at))];
+}
 
-  // The point on the edge between two consecutive faces around a vertex, if it has one: a doublet's
-  // limit, or the kept vertex of a lens at its other end.
-  [[nodiscard]] Index point_between(const NewCorner& a, const NewCorner& b) const {
-    if (a.toward != kNone || b.toward != kNone) return kNone;
-    const auto on_edge = of_smooth_edge_.find(topology_.edge(b.at));
-    if (on_edge != of_smooth_edge_.end()) return on_edge->second;
-    if (!layout_.is_lens(topology_.opposite(b.at))) return kNone;
-    return of_kept_[layout_.kept_rank(topology_.head(b.at))];
-  }
-
-  const Level& level_;
-  const Layout& layout_;
-  const Topology& topology_;
-  std::vector<Site> sites_;
-  std::vector<Index> of_face_;
-  std::vector<Index> of_curve_edge_;
-  std::vector<Index> of_kept_;
-  std::unordered_map<Index, Index> of_smooth_edge_;  // only where doublets were given
-};
-
-SparseRows limit_rows(const Level& level, const std::vector<Site>& sites, Weights family,
-                      const Context& context) {
+SparseRows Dual::limit_rows(Weights family, const Context& context) const {
   return SparseRows::build(
-      context, static_cast<Index>(sites.size()),
+      context, static_cast<Index>(sites_.size()),
       [&](Index i) -> Index {
         Index length = 0;
-        add_site_limit(level.layout, family, sites[i], [&](Index, double) { ++length; });
+        add_site_limit(layout_, family, sites_[i], [&](Index, double) { ++length; });
         return length;
       },
       [&](Index i, std::span<Index> columns, std::span<double> weights) {
         std::size_t k = 0;
-        add_site_limit(level.layout, family, sites[i], [&](Index v, double w) {
+        add_site_limit(layout_, family, sites_[i], [&](Index v, double w) {
           columns[k] = v;
           weights[k++] = w;
         });
       });
 }
+
+namespace {
 
 // What has no place on the dual's faces and corners.
 Mesh without_face_data(Mesh mesh) {
@@ -130,7 +113,7 @@ Result<Mesh> DooSabin::limit_mesh(const Mesh& control, const Rules& rules, int l
   if (!level) return tl::make_unexpected(level.error());
   const Dual dual(*level);
   Mesh mesh = level->mesh;
-  move_to_limit(mesh, limit_rows(*level, dual.sites(), rules.weights, context),
+  move_to_limit(mesh, dual.limit_rows(rules.weights, context),
                 site_normals(*level, dual.sites(), rules.weights, context), context);
   mesh.creases.clear();
   mesh.corners.clear();

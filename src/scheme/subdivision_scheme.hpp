@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scheme/limit_operator.hpp"
+#include "scheme/limit_samples.hpp"
 
 namespace surpass {
 
@@ -39,6 +40,25 @@ class SubdivisionScheme {
   /// See surpass::limit_mesh. Here: the refined vertices, moved to their limits.
   [[nodiscard]] virtual Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
                                                 const Context& context) const;
+
+  /// What the surface is like at a vertex of a refined mesh.
+  [[nodiscard]] virtual Spot spot(const Topology& topology, const Sharpness& sharpness,
+                                  Index v) const = 0;
+  /// Position and derivatives at a regular spot.
+  [[nodiscard]] virtual LimitJet jet(const Mesh& mesh, const Topology& topology, Index v) const = 0;
+  /// Area of a regular patch in the parameters of the jets.
+  [[nodiscard]] virtual double patch_measure() const { return 1; }
+
+  /// The surface after `levels` (1 or more) refinements, as patches with samples. Here: a patch a
+  /// face, its samples at its vertices.
+  [[nodiscard]] virtual Result<LimitSamples> limit_samples(const Mesh& control, const Rules& rules,
+                                                           int levels,
+                                                           const Context& context) const;
+
+ protected:
+  /// Spots and jets of samples.mesh.
+  void fill_jets(LimitSamples& samples, const Topology& topology, const Sharpness& sharpness,
+                 const Context& context) const;
 };
 
 [[nodiscard]] const SubdivisionScheme& scheme_of(Scheme scheme);

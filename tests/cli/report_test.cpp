@@ -95,6 +95,31 @@ TEST_F(Report, OfTheOtherCommands) {
   }
 }
 
+TEST_F(Report, OfQuality) {
+  const std::string given = data("quad_torus.obj");
+  const std::string control = folder_ / "c.obj";
+  valid({"interpolate", given, "-o", control}, 0);
+  const json one = valid({"quality", control}, 0);
+  EXPECT_EQ(one["surfaces"].size(), 1U);
+  EXPECT_FALSE(one["surfaces"][0].contains("normal_deviation"));
+  const json two =
+      valid({"quality", control, given, "--reference", given, "--levels", "3", "--rings", "1"}, 0);
+  EXPECT_EQ(two["rings"], 1);
+  EXPECT_EQ(two["surfaces"][1]["normal_deviation"]["max"], 0);
+  json lacking = two;
+  lacking["surfaces"][1].erase("total_variation");
+  EXPECT_NE(complaint(lacking), "");
+  lacking = two;
+  lacking["surfaces"][1] = {{"mesh", two["surfaces"][1]["mesh"]}};
+  EXPECT_NE(complaint(lacking), "") << "without a failure all surfaces are measured";
+
+  const json other = valid({"quality", control, "--reference", data("cube.obj")}, 3);
+  EXPECT_EQ(other["failure"]["code"], "mismatch");
+  EXPECT_EQ(other["failure"]["file"], control);
+  valid({"quality", data("cube.obj"), "--levels", "1"}, 3);
+  valid({"quality", data("cube.obj"), folder_ / "missing.obj"}, 2);
+}
+
 TEST_F(Report, TheSchemaRefusesOtherThings) {
   const json good = valid({"interpolate", data("octahedron.obj"), "-o", folder_ / "c.obj"}, 0);
   for (const char* key : {"command", "error", "history", "seconds", "input", "tolerance"}) {

@@ -6,8 +6,9 @@
 namespace surpass::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide", "check",
-                                            "inspect",     "compare", "convert",   "render"};
+const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide",
+                                            "check",       "inspect", "compare",
+                                            "quality",     "convert", "render"};
 
 void expect_usage_error(const std::vector<std::string>& arguments, const std::string& sentence) {
   const Outcome outcome = surpass(arguments);
