@@ -10,6 +10,7 @@
 
 #include "contenders.hpp"
 #include "machine.hpp"
+#include "refinement.hpp"
 
 namespace {
 
@@ -20,7 +21,8 @@ int run(int argc, char** argv) {
   for (const auto side : kSides) {
     for (const auto add :
          {add_surpass, add_command, add_schemes, add_anchors, add_opensubdiv, add_openmesh,
-          add_cgal, add_tinyobjloader, add_assimp, add_cholmod, add_eigen}) {
+          add_cgal, add_tinyobjloader, add_assimp, add_cholmod, add_eigen, add_refinement,
+          add_opensubdiv_refinement, add_openmesh_refinement, add_cgal_refinement}) {
       add(harness, side);
     }
   }

@@ -3,56 +3,17 @@
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/ptexIndices.h>
 #include <opensubdiv/far/stencilTableFactory.h>
-#include <opensubdiv/far/topologyDescriptor.h>
 
 #include "contenders.hpp"
 #include "judges.hpp"
+#include "opensubdiv_input.hpp"
 
 namespace surpass::bench {
 namespace {
 
-namespace Far = OpenSubdiv::Far;
-namespace Sdc = OpenSubdiv::Sdc;
+using namespace osd;
 using StencilFactory = Far::LimitStencilTableFactoryReal<double>;
 using Stencils = std::shared_ptr<const Far::LimitStencilTableReal<double>>;
-using RefinerFactory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-
-struct Vertex {
-  Point position;
-  void Clear() { position = {}; }
-  void AddWithWeight(const Vertex& other, double weight) {
-    for (std::size_t k = 0; k < 3; ++k) position[k] += weight * other.position[k];
-  }
-};
-
-using Vertices = std::vector<Vertex>;
-
-// The mesh in the arrays that OpenSubdiv takes.
-struct Input {
-  std::vector<int> sizes;
-  std::vector<int> corners;
-  Vertices vertices;
-};
-
-Input input_of(const Mesh& mesh) {
-  Input input{std::vector<int>(mesh.face_count(), 3),
-              std::vector<int>(mesh.face_vertices.begin(), mesh.face_vertices.end()),
-              {}};
-  for (const Point& p : mesh.points) input.vertices.push_back({p});
-  return input;
-}
-
-std::shared_ptr<Far::TopologyRefiner> refiner_of(const Input& input) {
-  Far::TopologyDescriptor descriptor;
-  descriptor.numVertices = static_cast<int>(input.vertices.size());
-  descriptor.numFaces = static_cast<int>(input.sizes.size());
-  descriptor.numVertsPerFace = input.sizes.data();
-  descriptor.vertIndicesPerFace = input.corners.data();
-  Sdc::Options options;
-  options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-  return std::shared_ptr<Far::TopologyRefiner>(
-      RefinerFactory::Create(descriptor, {Sdc::SCHEME_LOOP, options}));
-}
 
 Vertices limits_of(const Far::TopologyRefiner& refiner, const Vertices& vertices) {
   Vertices limits(vertices.size());

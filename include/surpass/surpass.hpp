@@ -8,6 +8,7 @@
 #include <surpass/io.hpp>
 #include <surpass/mesh.hpp>
 #include <surpass/quality.hpp>
+#include <surpass/refiner.hpp>
 #include <surpass/repair.hpp>
 #include <surpass/result.hpp>
 #include <surpass/scheme.hpp>

@@ -86,7 +86,7 @@ std::vector<double> refined_reference(const SimilarityPrepared& prepared, const 
   const std::size_t values = prepared.control_count() * wanted.width;
   if (source.size() == values) return {source.begin(), source.end()};
   std::vector<double> refined(values);
-  prepared.refinement.stencil.apply(context, wanted.width, source, refined);
+  prepared.stencil.apply(context, wanted.width, source, refined);
   return refined;
 }
 
@@ -225,7 +225,7 @@ Result<SimilarityInterpolator> SimilarityInterpolator::create(const Mesh& mesh,
   return SimilarityInterpolator(std::make_unique<const Impl>(Impl{std::move(*prepared)}));
 }
 
-const Mesh& SimilarityInterpolator::refined() const { return impl_->refinement.mesh; }
+const Mesh& SimilarityInterpolator::refined() const { return impl_->refined; }
 
 Result<SimilaritySolution> SimilarityInterpolator::solve(std::span<const Point> points,
                                                          std::span<const Channel> channels,

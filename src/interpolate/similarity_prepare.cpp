@@ -61,7 +61,8 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   const SubdivisionScheme& scheme = scheme_of(options.rules.scheme);
   context.report({.stage = "topology"});
   std::vector<unsigned char> isolated;
-  Result<Refinement> refinement = [&]() -> Result<Refinement> {
+  TiledRows stencil;
+  Result<Mesh> refined = [&]() -> Result<Mesh> {
     const auto topology = Topology::build(mesh);
     if (!topology) return tl::make_unexpected(topology.error());
     if (auto ok = require_suitable(scheme, *topology, options.rules); !ok) {
@@ -71,31 +72,34 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
     for (Index v = 0; v < topology->vertex_count(); ++v) {
       isolated[v] = topology->is_isolated(v) ? 1 : 0;
     }
-    return scheme.refinement(mesh, *topology, options.rules, context);
+    return scheme.refinement(mesh, *topology, options.rules, context, stencil);
   }();
-  if (!refinement) return tl::make_unexpected(refinement.error());
+  if (!refined) return tl::make_unexpected(refined.error());
   if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  Mesh& refined = refinement->mesh;
-  const Index control_points = refinement->stencil.row_count();
-  refined.points.resize(control_points);
-  const auto topology = Topology::build(refined);
+  const Index control_points = stencil.row_count();
+  refined->points.resize(control_points);
+  const auto topology = Topology::build(*refined);
   if (!topology) return tl::make_unexpected(topology.error());
   auto limits =
-      scheme.given_limits(refined, *topology, options.rules, mesh.vertex_count(), context);
+      scheme.given_limits(*refined, *topology, options.rules, mesh.vertex_count(), context);
   if (!limits) return tl::make_unexpected(limits.error());
   auto elimination = Elimination::build(std::move(*limits), control_points, context);
   if (!elimination) return tl::make_unexpected(elimination.error());
   auto rows =
-      PatchRows::build(refined, *topology, options.rules, level_of(options.samples), {}, context);
+      PatchRows::build(*refined, *topology, options.rules, level_of(options.samples), {}, context);
   if (!rows) return tl::make_unexpected(rows.error());
   auto layout = std::make_unique<const PatchLayout>(std::move(*rows), control_points, context);
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
   auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
-  refined.points = {};
-  annotate(refined, options.rules);
-  return SimilarityPrepared{
-      options,           std::move(*refinement), std::move(isolated), std::move(*elimination),
-      std::move(layout), std::move(scalar)};
+  refined->points = {};
+  annotate(*refined, options.rules);
+  return SimilarityPrepared{options,
+                            std::move(*refined),
+                            std::move(stencil),
+                            std::move(isolated),
+                            std::move(*elimination),
+                            std::move(layout),
+                            std::move(scalar)};
 }
 
 }  // namespace surpass

@@ -9,13 +9,14 @@
 #include "interpolate/elimination.hpp"
 #include "interpolate/free_system.hpp"
 #include "interpolate/patch_energy.hpp"
-#include "scheme/limit_operator.hpp"
+#include "scheme/tiled_rows.hpp"
 
 namespace surpass {
 
 struct SimilarityPrepared {
   SimilarityOptions options;
-  Refinement refinement;                ///< of the given mesh; its mesh is annotated
+  Mesh refined;                         ///< the given mesh after one step, annotated
+  TiledRows stencil;                    ///< its vertices over the given ones
   std::vector<unsigned char> isolated;  ///< #given: no face, so not part of the surface
   Elimination elimination;
   std::unique_ptr<const PatchLayout> layout;

@@ -49,8 +49,8 @@ struct Selection {
 /// which the faces at the edge now lie. O(#corners + #copies log #copies) and the size of the rest.
 [[nodiscard]] Mesh select(const Mesh& mesh, Selection selection);
 
-/// The mesh without its hole faces and the vertices that only they use; the first `kept` vertices
-/// stay in any case.
-[[nodiscard]] Mesh without_hole_faces(const Mesh& mesh, Index kept);
+/// Without hole faces and the vertices that only they use; the first `kept` vertices stay in any
+/// case.
+[[nodiscard]] Selection visible_part(const Mesh& mesh, Index kept);
 
 }  // namespace surpass

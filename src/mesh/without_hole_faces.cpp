@@ -4,7 +4,7 @@
 
 namespace surpass {
 
-Mesh without_hole_faces(const Mesh& mesh, Index kept) {
+Selection visible_part(const Mesh& mesh, Index kept) {
   std::vector<unsigned char> is_hole(mesh.face_count(), 0);
   for (const Index f : mesh.hole_faces) is_hole[f] = 1;
   std::vector<unsigned char> used(mesh.vertex_count(), 0);
@@ -17,7 +17,7 @@ Mesh without_hole_faces(const Mesh& mesh, Index kept) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     if (is_hole[f] == 0) selection.add_face(mesh, f);
   }
-  return select(mesh, std::move(selection));
+  return selection;
 }
 
 }  // namespace surpass

@@ -12,6 +12,7 @@
 
 #include "scheme/catmull_clark.hpp"
 #include "scheme/catmull_clark_derivatives.hpp"
+#include "scheme/kept_rows.hpp"
 
 namespace surpass::catmull_clark {
 namespace {
@@ -40,17 +41,17 @@ Result<Fine> as_given(const Mesh& piece, const Rules& rules) {
 
 Result<Fine> refined(const CatmullClark& scheme, const Fine& coarse, const Rules& rules) {
   const Context one_thread{.threads = 1};
-  auto step = scheme.refinement(coarse.mesh, coarse.topology, rules, one_thread);
-  if (!step) return tl::make_unexpected(step.error());
-  const SparseRows& stencil = step->stencil;
-  step->mesh.points.resize(stencil.row_count());
-  auto fine = as_given(step->mesh, rules);
+  KeptRows stencil;
+  auto mesh = scheme.refinement(coarse.mesh, coarse.topology, rules, one_thread, stencil);
+  if (!mesh) return tl::make_unexpected(mesh.error());
+  mesh->points.resize(stencil.row_count());
+  auto fine = as_given(*mesh, rules);
   if (!fine) return fine;
   fine->weights = Matrix::Zero(stencil.row_count(), coarse.weights.cols());
   for (Index i = 0; i < stencil.row_count(); ++i) {
-    for (Index k = 0; k < stencil.row_length(i); ++k) {
-      fine->weights.row(i) +=
-          stencil.row_weights(i)[k] * coarse.weights.row(stencil.row_columns(i)[k]);
+    const RowView row = stencil.row(i);
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+      fine->weights.row(i) += row.weights[k] * coarse.weights.row(row.columns[k]);
     }
   }
   return fine;

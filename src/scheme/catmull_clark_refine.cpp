@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -10,89 +11,77 @@
 namespace surpass::catmull_clark {
 namespace {
 
-// Calls put(vertex, weight) for the new point of an edge: its ends and, where it is not fully
-// sharp, the centroids of its faces.
-template <class Put>
-void edge_row(const Topology& topology, const Sharpness& sharpness, Index e, Put&& put) {
+void add_vertex(const VertexRows& vertices, Index v, RowTile& tile) {
+  const auto [columns, weights] = tile.add_row(vertices.length(v));
+  vertices.fill(v, columns, weights);
+}
+
+// The new point of an edge: its ends and, where it is not fully sharp, the centroids of its faces.
+void add_edge(const Topology& topology, const Sharpness& sharpness, Index e, RowTile& tile) {
   const Index h = topology.edge_halfedge(e);
   const double crease = std::min(1.0, static_cast<double>(sharpness.edge(topology, e)));
+  std::array<Index, 2> sides = {h, topology.opposite(h)};
+  std::array<double, 2> shares = {};
   double end = crease / 2 + (1 - crease) / 4;
-  if (crease < 1) {
-    for (const Index side : {h, topology.opposite(h)}) {
-      end += (1 - crease) / (4.0 * topology.face_degree(topology.face(side)));
-    }
+  std::size_t length = 2;
+  for (std::size_t i = 0; crease < 1 && i < 2; ++i) {
+    const Index degree = topology.face_degree(topology.face(sides[i]));
+    shares[i] = (1 - crease) / (4.0 * degree);
+    end += shares[i];
+    length += degree - 2;
   }
-  put(topology.tail(h), end);
-  put(topology.head(h), end);
-  if (crease == 1) return;
-  for (const Index side : {h, topology.opposite(h)}) {
-    const double share = (1 - crease) / (4.0 * topology.face_degree(topology.face(side)));
-    for (Index k = topology.next(topology.next(side)); k != side; k = topology.next(k)) {
-      put(topology.tail(k), share);
+  const auto [columns, weights] = tile.add_row(length);
+  columns[0] = topology.tail(h);
+  columns[1] = topology.head(h);
+  weights[0] = weights[1] = end;
+  std::size_t k = 2;
+  for (std::size_t i = 0; crease < 1 && i < 2; ++i) {
+    const Index side = sides[i];
+    for (Index at = topology.next(topology.next(side)); at != side; at = topology.next(at)) {
+      columns[k] = topology.tail(at);
+      weights[k++] = shares[i];
     }
   }
 }
 
-SparseRows stencil(const Topology& topology, const Sharpness& sharpness, const Context& context) {
-  const Index edges = topology.vertex_count();
-  const Index faces = edges + topology.edge_count();
-  const VertexRows vertices(topology, sharpness, refined_row, vertex_mask);
-  return SparseRows::build(
-      context, faces + topology.face_count(),
-      [&](Index i) -> Index {
-        if (i < edges) return vertices.length(i);
-        if (i >= faces) return topology.face_degree(i - faces);
-        Index length = 0;
-        edge_row(topology, sharpness, i - edges, [&](Index, double) { ++length; });
-        return length;
-      },
-      [&](Index i, std::span<Index> columns, std::span<double> weights) {
-        std::size_t k = 0;
-        const auto put = [&](Index v, double w) {
-          columns[k] = v;
-          weights[k++] = w;
-        };
-        if (i < edges) {
-          vertices.fill(i, columns, weights);
-        } else if (i < faces) {
-          edge_row(topology, sharpness, i - edges, put);
-        } else {
-          const Index f = i - faces;
-          const double share = 1.0 / topology.face_degree(f);
-          for (Index h = topology.face_begin(f); h < topology.face_end(f); ++h) {
-            put(topology.tail(h), share);
-          }
-        }
-      });
+void add_face(const Topology& topology, Index f, RowTile& tile) {
+  const Index degree = topology.face_degree(f);
+  const auto [columns, weights] = tile.add_row(degree);
+  for (Index k = 0; k < degree; ++k) columns[k] = topology.tail(topology.face_begin(f) + k);
+  std::fill(weights.begin(), weights.end(), 1.0 / degree);
 }
 
 }  // namespace
 
-Result<Refinement> CatmullClark::refinement(const Mesh& mesh, const Topology& topology,
-                                            const Rules& rules, const Context& context) const {
+Result<Mesh> CatmullClark::refinement(const Mesh& mesh, const Topology& topology,
+                                      const Rules& rules, const Context& context,
+                                      RowSink& sink) const {
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
-  auto room = mesh_of_equal_faces(topology.corner_count(), 4);
-  if (!room) return tl::make_unexpected(room.error());
-  Refinement refined{std::move(*room), stencil(topology, *sharpness, context)};
+  auto refined = mesh_of_equal_faces(topology.corner_count(), 4);
+  if (!refined) return refined;
   const Index edges = topology.vertex_count();
   const Index faces = edges + topology.edge_count();
-  Mesh& out = refined.mesh;
+  const VertexRows vertices(topology, *sharpness, refined_row, vertex_mask);
+  make_rows(context, faces + topology.face_count(), sink, [&](Index i, RowTile& tile) {
+    if (i < edges) return add_vertex(vertices, i, tile);
+    if (i < faces) return add_edge(topology, *sharpness, i - edges, tile);
+    add_face(topology, i - faces, tile);
+  });
   parallel::for_ranges(context, topology.corner_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto h = static_cast<Index>(i);
-      Index* quad = out.face_vertices.data() + 4 * i;
+      Index* quad = refined->face_vertices.data() + 4 * i;
       quad[0] = topology.tail(h);
       quad[1] = edges + topology.edge(h);
       quad[2] = faces + topology.face(h);
       quad[3] = edges + topology.edge(topology.previous(h));
     }
   });
-  inherit_creases(mesh, topology, out);
-  std::vector<Index> children(topology.face_count());
-  for (Index f = 0; f < topology.face_count(); ++f) children[f] = topology.face_degree(f);
-  inherit_face_attributes(mesh, children, out);
-  refine_corner_channels_to_quads(mesh, out);
+  inherit_creases(mesh, topology, *refined);
+  inherit_face_attributes(
+      mesh, [&](Index f) { return mesh.face_offsets[f]; }, *refined);
+  refine_corner_channels_to_quads(mesh, *refined);
   return refined;
 }
 

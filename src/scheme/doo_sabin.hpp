@@ -28,16 +28,16 @@ class DooSabin final : public SubdivisionScheme {
   [[nodiscard]] Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
                                                      const Rules& rules,
                                                      const Context& context) const override;
-  [[nodiscard]] Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
-                                              const Rules& rules,
-                                              const Context& context) const override;
+  [[nodiscard]] Result<Mesh> refinement(const Mesh& mesh, const Topology& topology,
+                                        const Rules& rules, const Context& context,
+                                        RowSink& sink) const override;
   [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
                                                          const Rules& rules,
                                                          const Context& context) const override;
   /// From level 1 the dual of the refined mesh, whose vertices lie on the limit surface. The given
   /// vertices' limits come first.
   [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
-                                        const Context& context) const override;
+                                        const Context& context, Steps& steps) const override;
   [[nodiscard]] Spot spot(const Topology& topology, const Sharpness& sharpness,
                           Index v) const override;
   [[nodiscard]] LimitJet jet(const Mesh& mesh, const Topology& topology, Index v) const override;

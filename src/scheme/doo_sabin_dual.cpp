@@ -106,15 +106,15 @@ Mesh without_face_data(Mesh mesh) {
 }  // namespace
 
 Result<Mesh> DooSabin::limit_mesh(const Mesh& control, const Rules& rules, int levels,
-                                  const Context& context) const {
+                                  const Context& context, Steps& steps) const {
   // The given mesh itself can be moved; below that, the given vertices have no successors.
-  if (levels <= 0) return SubdivisionScheme::limit_mesh(control, rules, levels, context);
-  const auto level = refined_level(without_face_data(control), rules, levels, context);
+  if (levels <= 0) return SubdivisionScheme::limit_mesh(control, rules, levels, context, steps);
+  const auto level = refined_level(without_face_data(control), rules, levels, context, steps);
   if (!level) return tl::make_unexpected(level.error());
   const Dual dual(*level);
   Mesh mesh = level->mesh;
   move_to_limit(mesh, dual.limit_rows(rules.weights, context),
-                site_normals(*level, dual.sites(), rules.weights, context), context);
+                site_normals(*level, dual.sites(), rules.weights, context), context, steps);
   mesh.creases.clear();
   mesh.corners.clear();
   dual.put_faces(mesh);

@@ -29,7 +29,8 @@ LimitJet DooSabin::jet(const Mesh& mesh, const Topology& topology, Index v) cons
 
 Result<LimitSamples> DooSabin::limit_samples(const Mesh& control, const Rules& rules, int levels,
                                              const Context& context) const {
-  auto level = refined_level(control, rules, levels, context);
+  Steps steps;
+  auto level = refined_level(control, rules, levels, context, steps);
   if (!level) return tl::make_unexpected(level.error());
   const auto sharpness = Sharpness::build(level->mesh, *level->topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());

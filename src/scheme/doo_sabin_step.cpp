@@ -1,5 +1,7 @@
 #include "scheme/doo_sabin_step.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "scheme/doo_sabin.hpp"
@@ -9,36 +11,32 @@ namespace surpass::doo_sabin {
 namespace {
 
 // A row per new point, in the order of their numbers.
-SparseRows stencil(const Layout& layout, const WeightTable& table, const Context& context) {
+void add_row(const Layout& layout, const WeightTable& table, Index i, RowTile& tile) {
   const Topology& topology = layout.topology();
   const Index curve = layout.first_curve_point();
   const Index kept = layout.first_kept_point();
-  return SparseRows::build(
-      context, layout.point_count(),
-      [&](Index i) -> Index {
-        if (i < curve) return topology.face_degree(topology.face(i));
-        return i < kept ? 2 : 1;
-      },
-      [&](Index i, std::span<Index> columns, std::span<double> weights) {
-        if (i >= kept) {
-          columns[0] = layout.kept_vertices()[i - kept];
-          weights[0] = 1;
-        } else if (i >= curve) {
-          const auto ends = topology.edge_vertices(layout.curve_edges()[(i - curve) / 2]);
-          const Index near = (i - curve) % 2;
-          columns[0] = ends[near];
-          columns[1] = ends[1 - near];
-          weights[0] = 3.0 / 4;
-          weights[1] = 1.0 / 4;
-        } else {
-          const auto w = table.of(static_cast<Index>(columns.size()));
-          Index h = i;
-          for (std::size_t j = 0; j < columns.size(); ++j, h = topology.next(h)) {
-            columns[j] = topology.tail(h);
-            weights[j] = w[j];
-          }
-        }
-      });
+  if (i >= kept) {
+    const auto [columns, weights] = tile.add_row(1);
+    columns[0] = layout.kept_vertices()[i - kept];
+    weights[0] = 1;
+  } else if (i >= curve) {
+    const auto ends = topology.edge_vertices(layout.curve_edges()[(i - curve) / 2]);
+    const Index near = (i - curve) % 2;
+    const auto [columns, weights] = tile.add_row(2);
+    columns[0] = ends[near];
+    columns[1] = ends[1 - near];
+    weights[0] = 3.0 / 4;
+    weights[1] = 1.0 / 4;
+  } else {
+    const auto w = table.of(topology.face_degree(topology.face(i)));
+    const auto [columns, weights] = tile.add_row(w.size());
+    std::copy(w.begin(), w.end(), weights.begin());
+    Index h = i;
+    for (Index& column : columns) {
+      column = topology.tail(h);
+      h = topology.next(h);
+    }
+  }
 }
 
 // The half-edge between the two corner points of a doublet, in the face of one of its edges.
@@ -73,18 +71,23 @@ Result<Level> given_level(Mesh mesh, const Rules& rules, const Context& context)
   return level;
 }
 
-Result<Level> next_level(const Level& level, bool first, const Rules& rules,
-                         const Context& context) {
-  auto step = refinement_step(level.mesh, level.layout, rules.weights, context);
-  if (!step) return tl::make_unexpected(step.error());
-  apply_stencil(level.mesh, step->refinement, context);
-  auto next = given_level(std::move(step->refinement.mesh), rules, context);
+Result<Level> next_level(const Level& level, bool first, const Rules& rules, const Context& context,
+                         Steps& steps) {
+  NewMesh fresh;
+  auto mesh = steps.take(level.mesh, context, [&](RowSink& sink) -> Result<Mesh> {
+    auto step = refinement_step(level.mesh, level.layout, rules.weights, context, sink);
+    if (!step) return tl::make_unexpected(step.error());
+    fresh = std::move(step->fresh);
+    return std::move(step->mesh);
+  });
+  if (!mesh) return tl::make_unexpected(mesh.error());
+  auto next = given_level(std::move(*mesh), rules, context);
   if (!next) return next;
   if (first) {
-    next->sites = sites_of_vertices(level.layout, step->fresh);
+    next->sites = sites_of_vertices(level.layout, fresh);
   } else {
     for (const Site& site : level.sites) {
-      next->sites.push_back(child_site(level.layout, step->fresh, site));
+      next->sites.push_back(child_site(level.layout, fresh, site));
     }
   }
   return next;
@@ -93,7 +96,7 @@ Result<Level> next_level(const Level& level, bool first, const Rules& rules,
 }  // namespace
 
 Result<Step> refinement_step(const Mesh& mesh, const Layout& layout, Weights family,
-                             const Context& context) {
+                             const Context& context, RowSink& sink) {
   const Topology& topology = layout.topology();
   const std::uint64_t most_corners = std::uint64_t{8} * topology.corner_count();
   if (most_corners > kNone) {
@@ -101,8 +104,10 @@ Result<Step> refinement_step(const Mesh& mesh, const Layout& layout, Weights fam
                 fmt::format("the refined mesh would have up to {} face corners", most_corners));
   }
   const WeightTable table(topology, family);
-  Step step{{{}, stencil(layout, table, context)}, new_mesh(layout)};
-  Mesh& out = step.refinement.mesh;
+  make_rows(context, layout.point_count(), sink,
+            [&](Index i, RowTile& tile) { add_row(layout, table, i, tile); });
+  Step step{{}, new_mesh(layout)};
+  Mesh& out = step.mesh;
   const NewFaces& faces = step.fresh.faces;
   out.face_offsets = faces.offsets;
   out.face_vertices.reserve(faces.corners.size());
@@ -113,13 +118,13 @@ Result<Step> refinement_step(const Mesh& mesh, const Layout& layout, Weights fam
   return step;
 }
 
-Result<Refinement> DooSabin::refinement(const Mesh& mesh, const Topology& topology,
-                                        const Rules& rules, const Context& context) const {
+Result<Mesh> DooSabin::refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                                  const Context& context, RowSink& sink) const {
   const auto layout = Layout::build(mesh, topology, rules.boundary, context);
   if (!layout) return tl::make_unexpected(layout.error());
-  auto step = refinement_step(mesh, *layout, rules.weights, context);
+  auto step = refinement_step(mesh, *layout, rules.weights, context, sink);
   if (!step) return tl::make_unexpected(step.error());
-  return std::move(step->refinement);
+  return std::move(step->mesh);
 }
 
 std::vector<Site> sites_of_vertices(const Layout& layout, const NewMesh& fresh) {
@@ -140,14 +145,15 @@ Site child_site(const Layout& layout, const NewMesh& fresh, const Site& site) {
   return {Site::Kind::edge, fresh.faces.offsets[f] + 1};
 }
 
-Result<Level> refined_level(Mesh mesh, const Rules& rules, int levels, const Context& context) {
+Result<Level> refined_level(Mesh mesh, const Rules& rules, int levels, const Context& context,
+                            Steps& steps) {
   auto level = given_level(std::move(mesh), rules, context);
   for (int i = 0; i < levels && level; ++i) {
     if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while subdividing");
     context.report({.stage = "subdivide",
                     .fraction = static_cast<double>(i) / levels,
                     .iteration = static_cast<std::uint64_t>(i)});
-    level = next_level(*level, i == 0, rules, context);
+    level = next_level(*level, i == 0, rules, context, steps);
   }
   return level;
 }

@@ -6,16 +6,17 @@
 
 #include "scheme/doo_sabin_faces.hpp"
 #include "scheme/doo_sabin_weights.hpp"
-#include "scheme/limit_operator.hpp"
+#include "scheme/steps.hpp"
 
 namespace surpass::doo_sabin {
 
+/// A refined mesh without positions and vertex channels, whose rows went to a sink.
 struct Step {
-  Refinement refinement;
+  Mesh mesh;
   NewMesh fresh;
 };
 [[nodiscard]] Result<Step> refinement_step(const Mesh& mesh, const Layout& layout, Weights family,
-                                           const Context& context);
+                                           const Context& context, RowSink& sink);
 
 /// A place on a mesh whose limit point is known: a face's centroid, the midpoint of a curve edge, a
 /// kept vertex; or a smooth edge, whose limit is the centroid of the face that it makes next.
@@ -40,6 +41,6 @@ struct Level {
 };
 /// `levels` is at least 1.
 [[nodiscard]] Result<Level> refined_level(Mesh mesh, const Rules& rules, int levels,
-                                          const Context& context);
+                                          const Context& context, Steps& steps);
 
 }  // namespace surpass::doo_sabin

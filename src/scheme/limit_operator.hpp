@@ -51,14 +51,4 @@ struct LimitOperator {
 Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                      const Context& context);
 
-/// One refinement step: the refined mesh without positions and vertex channels, and the weights
-/// that make them (a row per refined vertex, a column per given one).
-struct Refinement {
-  Mesh mesh;
-  SparseRows stencil;
-};
-
-/// Positions and vertex channels of the refined mesh.
-void apply_stencil(const Mesh& mesh, Refinement& step, const Context& context);
-
 }  // namespace surpass

@@ -14,9 +14,9 @@ class Loop final : public SubdivisionScheme {
   [[nodiscard]] Result<LimitOperator> limit_operator(const Mesh& mesh, const Topology& topology,
                                                      const Rules& rules,
                                                      const Context& context) const override;
-  [[nodiscard]] Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
-                                              const Rules& rules,
-                                              const Context& context) const override;
+  [[nodiscard]] Result<Mesh> refinement(const Mesh& mesh, const Topology& topology,
+                                        const Rules& rules, const Context& context,
+                                        RowSink& sink) const override;
   [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
                                                          const Rules& rules,
                                                          const Context& context) const override;

@@ -14,87 +14,104 @@ namespace {
 // The third vertex of the triangle of a half-edge.
 Index across(const Topology& topology, Index h) { return topology.tail(topology.previous(h)); }
 
-struct Weighted {
-  Index vertex;
-  double weight;
+// The weights of a plain vertex, by valence, so that no cosine is taken a million times.
+struct PlainRow {
+  double own;
+  double neighbour;
 };
-
-// The new point of an edge: its ends and, where it is not fully sharp, the vertices across.
-std::array<Weighted, 4> edge_weights(const Topology& topology, const Sharpness& sharpness,
-                                     Boundary boundary, Index e) {
-  const Index h = topology.edge_halfedge(e);
-  const Index a = topology.tail(h);
-  const Index b = topology.head(h);
-  if (topology.is_boundary_edge(e)) {
-    const bool hoppe = boundary == Boundary::hoppe;
-    const double share = boundary_edge_share(boundary, hoppe && topology.valence(a) == 4,
-                                             hoppe && topology.valence(b) == 4);
-    return {{{a, share}, {b, 1 - share}, {kNone, 0}, {kNone, 0}}};
-  }
-  const double crease = std::min(1.0, static_cast<double>(sharpness.edge(topology, e)));
-  const double end = crease / 2 + (1 - crease) * 3 / 8;
-  const double side = (1 - crease) / 8;
-  return {{{a, end},
-           {b, end},
-           {across(topology, h), side},
-           {across(topology, topology.opposite(h)), side}}};
-}
-
-SparseRows stencil(const Topology& topology, const Sharpness& sharpness, Boundary boundary,
-                   const Context& context) {
-  const Index n = topology.vertex_count();
-  const auto mask_of = [&](Index v, auto&& visit) {
-    const LoopRing ring = LoopRing::around(topology, sharpness, boundary, v);
-    const std::vector<double> mask = vertex_mask(ring);
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-      if (mask[i] != 0) visit(i == 0 ? v : ring.spokes[i - 1], mask[i]);
+std::vector<PlainRow> plain_rows(const Topology& topology) {
+  std::vector<PlainRow> rows;
+  for (Index v = 0; v < topology.vertex_count(); ++v) {
+    while (rows.size() <= topology.valence(v)) {
+      const std::size_t n = rows.size();
+      const double moved = n == 0 ? 0 : alpha(n);
+      rows.push_back({1 - moved, n == 0 ? 0 : moved / static_cast<double>(n)});
     }
-  };
-  return SparseRows::build(
-      context, n + topology.edge_count(),
-      [&](Index i) -> Index {
-        Index length = 0;
-        if (i >= n) {
-          for (const Weighted& w : edge_weights(topology, sharpness, boundary, i - n)) {
-            if (w.weight != 0) ++length;
-          }
-        } else if (topology.is_isolated(i)) {
-          length = 1;
-        } else if (sharpness.is_plain(i)) {
-          length = topology.valence(i) + 1;
-        } else {
-          mask_of(i, [&](Index, double) { ++length; });
-        }
-        return length;
-      },
-      [&](Index i, std::span<Index> columns, std::span<double> weights) {
-        std::size_t k = 0;
-        const auto put = [&](Index v, double w) {
-          columns[k] = v;
-          weights[k++] = w;
-        };
-        if (i >= n) {
-          for (const Weighted& w : edge_weights(topology, sharpness, boundary, i - n)) {
-            if (w.weight != 0) put(w.vertex, w.weight);
-          }
-        } else if (topology.is_isolated(i)) {
-          put(i, 1);
-        } else if (sharpness.is_plain(i)) {
-          const std::size_t valence = columns.size() - 1;
-          const double moved = alpha(valence);
-          put(i, 1 - moved);
-          topology.for_each_spoke(
-              i, [&](Index w, Index) { put(w, moved / static_cast<double>(valence)); });
-        } else {
-          mask_of(i, put);
-        }
-      });
+  }
+  return rows;
 }
+
+class RowMaker {
+ public:
+  RowMaker(const Topology& topology, const Sharpness& sharpness, Boundary boundary)
+      : topology_(topology),
+        sharpness_(sharpness),
+        boundary_(boundary),
+        plain_(plain_rows(topology)) {}
+
+  void add_vertex(Index v, RowTile& tile) const {
+    if (topology_.is_isolated(v)) {
+      const auto [columns, weights] = tile.add_row(1);
+      columns[0] = v;
+      weights[0] = 1;
+    } else if (sharpness_.is_plain(v)) {
+      add_plain_vertex(v, tile);
+    } else {
+      add_special_vertex(v, tile);
+    }
+  }
+
+  // The new point of an edge: its ends and, where it is not fully sharp, the vertices across.
+  void add_edge(Index e, RowTile& tile) const {
+    if (topology_.is_boundary_edge(e)) return add_boundary_edge(e, tile);
+    const Index h = topology_.edge_halfedge(e);
+    const double crease = std::min(1.0, static_cast<double>(sharpness_.edge(topology_, e)));
+    const auto [columns, weights] = tile.add_row(crease < 1 ? 4 : 2);
+    columns[0] = topology_.tail(h);
+    columns[1] = topology_.head(h);
+    weights[0] = weights[1] = crease / 2 + (1 - crease) * 3 / 8;
+    if (crease == 1) return;
+    columns[2] = across(topology_, h);
+    columns[3] = across(topology_, topology_.opposite(h));
+    weights[2] = weights[3] = (1 - crease) / 8;
+  }
+
+ private:
+  void add_plain_vertex(Index v, RowTile& tile) const {
+    const Index valence = topology_.valence(v);
+    const auto [columns, weights] = tile.add_row(std::size_t{valence} + 1);
+    columns[0] = v;
+    weights[0] = plain_[valence].own;
+    std::size_t k = 1;
+    topology_.for_each_outgoing(v, [&](Index h) { columns[k++] = topology_.head(h); });
+    std::fill(weights.begin() + 1, weights.end(), plain_[valence].neighbour);
+  }
+
+  void add_special_vertex(Index v, RowTile& tile) const {
+    const LoopRing ring = LoopRing::around(topology_, sharpness_, boundary_, v);
+    const std::vector<double> mask = vertex_mask(ring);
+    const auto [columns, weights] = tile.add_row(mask.size());
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      if (mask[i] == 0) continue;
+      columns[k] = i == 0 ? v : ring.spokes[i - 1];
+      weights[k++] = mask[i];
+    }
+    tile.shorten_row(k);
+  }
+
+  void add_boundary_edge(Index e, RowTile& tile) const {
+    const auto [a, b] = topology_.edge_vertices(e);
+    const bool hoppe = boundary_ == Boundary::hoppe;
+    const double share = boundary_edge_share(boundary_, hoppe && topology_.valence(a) == 4,
+                                             hoppe && topology_.valence(b) == 4);
+    const auto [columns, weights] = tile.add_row(2);
+    columns[0] = a;
+    columns[1] = b;
+    weights[0] = share;
+    weights[1] = 1 - share;
+  }
+
+  const Topology& topology_;
+  const Sharpness& sharpness_;
+  Boundary boundary_;
+  std::vector<PlainRow> plain_;
+};
 
 }  // namespace
 
-Result<Refinement> Loop::refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
-                                    const Context& context) const {
+Result<Mesh> Loop::refinement(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                              const Context& context, RowSink& sink) const {
   if (rules.boundary == Boundary::interior && topology.boundary_edge_count() > 0) {
     return fail(ErrorCode::invalid_argument,
                 "the boundary rule `interior` defines limit points of the given vertices only; "
@@ -102,12 +119,14 @@ Result<Refinement> Loop::refinement(const Mesh& mesh, const Topology& topology, 
   }
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
-  auto room = mesh_of_equal_faces(std::uint64_t{4} * topology.face_count(), 3);
-  if (!room) return tl::make_unexpected(room.error());
-  Refinement refined{std::move(*room), stencil(topology, *sharpness, rules.boundary, context)};
+  auto refined = mesh_of_equal_faces(std::uint64_t{4} * topology.face_count(), 3);
+  if (!refined) return refined;
   const Index n = topology.vertex_count();
+  const RowMaker rows(topology, *sharpness, rules.boundary);
+  make_rows(context, n + topology.edge_count(), sink, [&](Index i, RowTile& tile) {
+    i < n ? rows.add_vertex(i, tile) : rows.add_edge(i - n, tile);
+  });
   const Index faces = topology.face_count();
-  Mesh& out = refined.mesh;
   parallel::for_ranges(context, faces, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const auto h = static_cast<Index>(3 * f);
@@ -123,12 +142,13 @@ Result<Refinement> Loop::refinement(const Mesh& mesh, const Topology& topology, 
           middle[2],
       };
       std::copy(std::begin(child), std::end(child),
-                out.face_vertices.begin() + 12 * static_cast<std::ptrdiff_t>(f));
+                refined->face_vertices.begin() + 12 * static_cast<std::ptrdiff_t>(f));
     }
   });
-  inherit_creases(mesh, topology, out);
-  inherit_face_attributes(mesh, std::vector<Index>(faces, 4), out);
-  refine_corner_channels_of_triangles(mesh, out);
+  inherit_creases(mesh, topology, *refined);
+  inherit_face_attributes(
+      mesh, [](Index f) { return 4 * f; }, *refined);
+  refine_corner_channels_of_triangles(mesh, *refined);
   return refined;
 }
 

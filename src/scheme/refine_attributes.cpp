@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 #include <unordered_map>
 
@@ -29,13 +28,12 @@ void inherit_creases(const Mesh& mesh, const Topology& topology, Mesh& refined) 
   refined.material_libraries = mesh.material_libraries;
 }
 
-void inherit_face_attributes(const Mesh& mesh, const std::vector<Index>& children, Mesh& refined) {
-  std::vector<Index> first(children.size() + 1, 0);
-  std::partial_sum(children.begin(), children.end(), first.begin() + 1);
+void inherit_face_attributes(const Mesh& mesh, const std::function<Index(Index f)>& first_child,
+                             Mesh& refined) {
   const auto expand = [&](const std::vector<Index>& faces) {
     std::vector<Index> expanded;
     for (const Index f : faces) {
-      for (Index c = first[f]; c < first[f + 1]; ++c) expanded.push_back(c);
+      for (Index c = first_child(f); c < first_child(f + 1); ++c) expanded.push_back(c);
     }
     return expanded;
   };
@@ -47,9 +45,9 @@ void inherit_face_attributes(const Mesh& mesh, const std::vector<Index>& childre
     FaceChannel& out = refined.face_channels.emplace_back(
         FaceChannel{channel.name, channel.parts, {}, channel.storage});
     const std::size_t width = channel.parts.size();
-    for (std::size_t f = 0; f < children.size(); ++f) {
+    for (Index f = 0; f < mesh.face_count(); ++f) {
       const auto row = channel.values.begin() + static_cast<std::ptrdiff_t>(f * width);
-      for (Index c = 0; c < children[f]; ++c) {
+      for (Index c = first_child(f); c < first_child(f + 1); ++c) {
         out.values.insert(out.values.end(), row, row + static_cast<std::ptrdiff_t>(width));
       }
     }

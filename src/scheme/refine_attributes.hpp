@@ -4,7 +4,7 @@
 #include <surpass/mesh.hpp>
 #include <surpass/topology.hpp>
 
-#include <vector>
+#include <functional>
 
 namespace surpass {
 
@@ -12,8 +12,10 @@ namespace surpass {
 /// point of edge e at #V + e. `refined` receives creases, corners and the remaining tags.
 void inherit_creases(const Mesh& mesh, const Topology& topology, Mesh& refined);
 
-/// Face sets, face channels and holes; face f has children[f] child faces, in order.
-void inherit_face_attributes(const Mesh& mesh, const std::vector<Index>& children, Mesh& refined);
+/// Face sets, face channels and holes; the child faces of face f are those from first_child(f) to
+/// first_child(f + 1).
+void inherit_face_attributes(const Mesh& mesh, const std::function<Index(Index f)>& first_child,
+                             Mesh& refined);
 
 /// Corner channels of triangles cut in four (corner children first, then the middle), linearly.
 /// Corners that shared a row of values, and edges that shared both, share their refined rows.

@@ -150,53 +150,45 @@ Result<std::vector<Point>> limit_normals(const Mesh& control, const Rules& rules
 
 namespace {
 
-Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& context) {
+Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& context,
+                         Steps& steps) {
   const auto topology = suitable_topology(mesh, rules);
   if (!topology) return tl::make_unexpected(topology.error());
-  auto step = scheme_of(rules.scheme).refinement(mesh, *topology, rules, context);
-  if (!step) return tl::make_unexpected(step.error());
-  apply_stencil(mesh, *step, context);
-  return std::move(step->mesh);
+  return steps.take(mesh, context, [&](RowSink& sink) {
+    return scheme_of(rules.scheme).refinement(mesh, *topology, rules, context, sink);
+  });
 }
 
 }  // namespace
 
-void apply_stencil(const Mesh& mesh, Refinement& step, const Context& context) {
-  step.mesh.points = step.stencil.apply(context, mesh.points);
-  for (const Channel& channel : mesh.channels) {
-    Channel& refined = step.mesh.channels.emplace_back(channel);
-    refined.values.resize(step.stencil.row_count() * channel.width());
-    step.stencil.apply(context, channel.width(), channel.values, refined.values);
-  }
-}
-
-Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels, const Context& context) {
+Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels, const Context& context,
+                    Steps& steps) {
   if (levels < 0) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("the number of levels is {}; it must be 0 or more", levels));
   }
-  Mesh mesh = control;
+  if (levels == 0) return control;
+  Result<Mesh> mesh;
   for (int level = 0; level < levels; ++level) {
     if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while subdividing");
     context.report({.stage = "subdivide",
                     .fraction = static_cast<double>(level) / levels,
                     .iteration = static_cast<std::uint64_t>(level)});
-    auto refined = refine_once(mesh, rules, context);
-    if (!refined) return refined;
-    mesh = std::move(*refined);
+    mesh = refine_once(level == 0 ? control : *mesh, rules, context, steps);
+    if (!mesh) return mesh;
   }
   return mesh;
 }
 
+Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels, const Context& context) {
+  Steps steps;
+  return refine(control, rules, levels, context, steps);
+}
+
 void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
-                   const Context& context) {
-  mesh.points = rows.apply(context, mesh.points);
+                   const Context& context, Steps& steps) {
   std::erase_if(mesh.channels, [](const Channel& c) { return c.name == "normal"; });
-  for (Channel& channel : mesh.channels) {
-    std::vector<double> limits(rows.row_count() * channel.width());
-    rows.apply(context, channel.width(), channel.values, limits);
-    channel.values = std::move(limits);
-  }
+  steps.move(mesh, rows, context);
   std::erase_if(mesh.corner_channels, [](const CornerChannel& c) { return c.name == "normal"; });
   const auto values = flat(normals);
   mesh.channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
@@ -224,8 +216,8 @@ Result<PatchKind> SubdivisionScheme::patch_kind(const Mesh&, const Rules&, int) 
 }
 
 Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rules, int levels,
-                                           const Context& context) const {
-  auto mesh = refine(control, rules, levels, context);
+                                           const Context& context, Steps& steps) const {
+  auto mesh = refine(control, rules, levels, context, steps);
   if (!mesh) return mesh;
   const auto topology = suitable_topology(*mesh, rules);
   if (!topology) return tl::make_unexpected(topology.error());
@@ -233,15 +225,23 @@ Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rul
   if (!op) return tl::make_unexpected(op.error());
   const auto normals = limit_normals(*mesh, *topology, rules, context);
   if (!normals) return tl::make_unexpected(normals.error());
-  move_to_limit(*mesh, op->rows, *normals, context);
+  move_to_limit(*mesh, op->rows, *normals, context, steps);
   return mesh;
+}
+
+Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels, const Context& context,
+                        Steps& steps) {
+  auto mesh = scheme_of(rules.scheme).limit_mesh(control, rules, levels, context, steps);
+  if (!mesh || mesh->hole_faces.empty()) return mesh;
+  Selection visible = visible_part(*mesh, control.vertex_count());
+  steps.pick(visible.vertex_source, context);
+  return select(*mesh, std::move(visible));
 }
 
 Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
                         const Context& context) {
-  auto mesh = scheme_of(rules.scheme).limit_mesh(control, rules, levels, context);
-  if (!mesh || mesh->hole_faces.empty()) return mesh;
-  return without_hole_faces(*mesh, control.vertex_count());
+  Steps steps;
+  return limit_mesh(control, rules, levels, context, steps);
 }
 
 }  // namespace surpass

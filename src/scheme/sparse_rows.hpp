@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "parallel/parallel.hpp"
+#include "scheme/row_product.hpp"
 #include "scheme/weight_lists.hpp"
 
 namespace surpass {
@@ -45,35 +46,17 @@ class SparseRows {
   template <class Length, class Fill>
   static SparseRows build(const Context& context, Index n, Length&& length, Fill&& fill);
 
-  /// Row i times three right-hand sides, the case that matters; x: #columns by 3.
-  [[nodiscard]] std::array<double, 3> row_times_3(Index i, const double* x) const {
-    double s0 = 0;
-    double s1 = 0;
-    double s2 = 0;
-    const double* w = weights_.data() + rows_[i].weights;
-    for (Index k = rows_[i].columns; k < rows_[i + 1].columns; ++k, ++w) {
-      const double* p = x + std::size_t{3} * columns_[k];
-      s0 += *w * p[0];
-      s1 += *w * p[1];
-      s2 += *w * p[2];
-    }
-    return {s0, s1, s2};
+  [[nodiscard]] RowView row(Index i) const {
+    return {row_columns(i), weights_.data() + rows_[i].weights};
   }
-
+  /// Row i times three right-hand sides; see RowView.
+  [[nodiscard]] std::array<double, 3> row_times_3(Index i, const double* x) const {
+    return row(i).times_3(x);
+  }
   /// use(c, row i times right-hand side c) for each of `width`; x: #columns by width.
   template <class Use>
   void row_times(Index i, std::size_t width, const double* x, Use&& use) const {
-    if (width == 3) {
-      const auto product = row_times_3(i, x);
-      for (std::size_t c = 0; c < 3; ++c) use(c, product[c]);
-      return;
-    }
-    for (std::size_t c = 0; c < width; ++c) {
-      double sum = 0;
-      const double* w = weights_.data() + rows_[i].weights;
-      for (const Index column : row_columns(i)) sum += *w++ * x[column * width + c];
-      use(c, sum);
-    }
+    row(i).times(width, x, use);
   }
 
   /// y = rows * x for row-major values of `width` numbers each. x: #columns by width, y: #rows by

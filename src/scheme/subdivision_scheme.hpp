@@ -5,6 +5,7 @@
 #include "scheme/limit_operator.hpp"
 #include "scheme/limit_samples.hpp"
 #include "scheme/patch_kind.hpp"
+#include "scheme/steps.hpp"
 
 namespace surpass {
 
@@ -30,9 +31,11 @@ class SubdivisionScheme {
                                                              const Topology& topology,
                                                              const Rules& rules,
                                                              const Context& context) const = 0;
-  [[nodiscard]] virtual Result<Refinement> refinement(const Mesh& mesh, const Topology& topology,
-                                                      const Rules& rules,
-                                                      const Context& context) const = 0;
+  /// One refinement step: the refined mesh without positions and vertex channels. The rows that
+  /// make these go to `sink`: one for each refined vertex, over the given ones.
+  [[nodiscard]] virtual Result<Mesh> refinement(const Mesh& mesh, const Topology& topology,
+                                                const Rules& rules, const Context& context,
+                                                RowSink& sink) const = 0;
   [[nodiscard]] virtual Result<std::vector<Point>> limit_normals(const Mesh& mesh,
                                                                  const Topology& topology,
                                                                  const Rules& rules,
@@ -52,9 +55,10 @@ class SubdivisionScheme {
   [[nodiscard]] virtual Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules,
                                                      int level) const;
 
-  /// See surpass::limit_mesh. Here: the refined vertices, moved to their limits.
+  /// See surpass::limit_mesh, but with its hole faces. Here: the refined vertices, moved to their
+  /// limits.
   [[nodiscard]] virtual Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
-                                                const Context& context) const;
+                                                const Context& context, Steps& steps) const;
 
   /// What the surface is like at a vertex of a refined mesh.
   [[nodiscard]] virtual Spot spot(const Topology& topology, const Sharpness& sharpness,
@@ -82,10 +86,16 @@ class SubdivisionScheme {
 Result<void> require_suitable(const SubdivisionScheme& scheme, const Topology& topology,
                               const Rules& rules);
 
+/// See surpass::refine and surpass::limit_mesh.
+[[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
+                                  const Context& context, Steps& steps);
+[[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,
+                                      const Context& context, Steps& steps);
+
 /// Moves the vertices of a refined mesh: positions and vertex channels are replaced by their limits
 /// under `rows`, the normals put into channel "normal", and what says that the mesh is a control
 /// mesh is taken away.
 void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
-                   const Context& context);
+                   const Context& context, Steps& steps);
 
 }  // namespace surpass
