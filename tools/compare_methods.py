@@ -3,7 +3,7 @@
 
 usage: compare_methods.py SURPASS DATA DOCS [--head-only] [--methods plain,fair]
 
-Rule and measures stand in HEAD; they were written down before any surface was measured. --head-only
+Rule and measures stand in HEAD; they were written down before any interpolating surface was measured. --head-only
 writes them with the names of the meshes and nothing else.
 """
 import argparse
@@ -43,7 +43,7 @@ HEAD = """# Methods compared
 
 Which surface through the given vertices is fairer? Ten meshes, every method of this version on
 Catmull-Clark surfaces, nine measures and the time. The rule for the meshes and the measures were
-written down before any surface was measured, and every number found is below, whoever it speaks for.
+written down before any interpolating surface was measured, and every number found is below, whoever it speaks for.
 
 **Meshes.** From the collection's CATALOG.tsv, of the folders `quad` and `tri` each: meshes that load, are
 manifold, oriented, of one component, without isolated, doubled or degenerate elements, of 300 to
@@ -179,7 +179,7 @@ def summary(results):
 def draw(surpass, control, picture):
     picture.parent.mkdir(parents=True, exist_ok=True)
     subprocess.run([surpass, "render", control, "-o", picture, "--levels", "3", "--size", "480x360",
-                    "--scheme", "catmull-clark", "--quiet"], check=True)
+                    "--scheme", "catmull-clark", "--reflection-lines", "--quiet"], check=True)
 
 
 def machine():
