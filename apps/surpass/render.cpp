@@ -28,6 +28,7 @@ struct Wishes {
   char up = 'y';
   bool edges = false;
   bool flat = false;
+  bool reflection_lines = false;
 };
 
 #ifdef SURPASS_RENDER
@@ -63,6 +64,7 @@ Result<RenderOptions> to_options(const Wishes& wishes) {
   options.up = wishes.up;
   options.edges = wishes.edges;
   options.smooth = !wishes.flat;
+  options.reflection_lines = wishes.reflection_lines;
   return options;
 }
 
@@ -151,6 +153,9 @@ void Render::define(Options& options) {
            .default_text("y"));
   view(options.flag("--edges", wishes_.edges, "Draw the edges of the mesh"));
   view(options.flag("--flat", wishes_.flat, "Flat facets instead of smooth shading"));
+  view(options.flag("--reflection-lines", wishes_.reflection_lines,
+                    "Shade as a mirror in a hall of parallel lamps: lines wiggle where the "
+                    "surface is not fair"));
   points_ = options
                 .add("--points", points_path_,
                      "Draw this mesh's vertices as red balls; without a file those of "

@@ -25,8 +25,9 @@ struct RenderOptions {
   double elevation = 20;  ///< camera, degrees above the horizon
   char up = 'y';          ///< 'y' with +z in front, 'z' with -y in front, or 'x' with +y in front
   bool smooth = true;     ///< false: flat facets
-  double crease_angle = 45;  ///< degrees; edges that turn by more stay sharp although `smooth`
-  bool edges = false;        ///< draw the edges of the mesh's polygons as fine lines
+  double crease_angle = 45;       ///< degrees; edges that turn by more stay sharp although `smooth`
+  bool edges = false;             ///< draw the edges of the mesh's polygons as fine lines
+  bool reflection_lines = false;  ///< shade as a mirror in a hall of 12 parallel lamps
   std::vector<Point> points = {};  ///< drawn as small balls, hidden where the surface covers them
   double point_radius = 0;        ///< relative to the box side; 0 chooses from the number of points
   std::vector<Point> frame = {};  ///< what to fit into the picture; empty: the mesh and `points`

@@ -53,7 +53,8 @@ Painter::Painter(const DisplayMesh& display, std::span<const Vec3> points, const
       width_(options.width),
       height_(options.height),
       side_(static_cast<int>(std::ceil(std::sqrt(options.samples)))),
-      style_(matte),
+      fine_(options.reflection_lines),
+      style_(options.reflection_lines ? reflection : matte),
       sky_(scene, side_ * side_, kReach * camera.unit_side()) {
   if (options.edges) lines_.emplace(points, camera);
 }
@@ -88,8 +89,8 @@ void Painter::paint_rows(int begin, int end, Band& band, Image& image,
   auto& lit = band.lit;
   lit.cover(lit_first, lit_last);
   for_each_pixel(context, width_, lit_first, lit_last, [&](int x, int y) {
-    lit.at(x, y) =
-        side_ == 1 || is_plain(seen, x, y) ? plain_pixel(seen.at(x, y), x, y) : sample_pixel(x, y);
+    lit.at(x, y) = side_ == 1 || (!fine_ && is_plain(seen, x, y)) ? plain_pixel(seen.at(x, y), x, y)
+                                                                  : sample_pixel(x, y);
   });
 
   for_each_pixel(context, width_, begin, end, [&](int x, int y) {

@@ -51,7 +51,8 @@ class Painter {
   const Camera& camera_;
   int width_;
   int height_;
-  int side_;  // of the square of samples in a pixel
+  int side_;   // of the square of samples in a pixel
+  bool fine_;  // the style has more detail than the surface
   Style style_;
   SkyProbe sky_;
   std::optional<EdgeLines> lines_;

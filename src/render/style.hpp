@@ -27,4 +27,7 @@ using Style = Light (*)(const SurfacePlace&, const Camera&);
 /// Clay under a soft key light with a fill and a sky.
 [[nodiscard]] Light matte(const SurfacePlace& place, const Camera& camera);
 
+/// Bands of the lamps that a mirror would show; balls stay matte.
+[[nodiscard]] Light reflection(const SurfacePlace& place, const Camera& camera);
+
 }  // namespace surpass::picture
