@@ -20,7 +20,7 @@ struct Value {
   }
 };
 
-std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& rules, int levels) {
+std::unique_ptr<Far::TopologyRefiner> base_of(const Mesh& mesh, const Rules& rules) {
   std::vector<int> sizes;
   for (Index f = 0; f < mesh.face_count(); ++f)
     sizes.push_back(static_cast<int>(mesh.face(f).size()));
@@ -55,8 +55,11 @@ std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& 
   const Sdc::SchemeType type =
       rules.scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-  std::unique_ptr<Far::TopologyRefiner> refiner(
-      Factory::Create(d, Factory::Options(type, options)));
+  return std::unique_ptr<Far::TopologyRefiner>(Factory::Create(d, Factory::Options(type, options)));
+}
+
+std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& rules, int levels) {
+  auto refiner = base_of(mesh, rules);
   Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;
   refiner->RefineUniform(uniform);
@@ -85,6 +88,10 @@ Walk walk(const Far::TopologyRefiner& refiner, const Mesh& mesh, int levels) {
 }
 
 }  // namespace
+
+std::unique_ptr<Far::TopologyRefiner> osd_refiner(const Mesh& mesh, const Rules& rules) {
+  return base_of(mesh, rules);
+}
 
 OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels) {
   const auto refiner = refiner_of(mesh, rules, levels);
