@@ -155,7 +155,12 @@ Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& co
   const auto topology = suitable_topology(mesh, rules);
   if (!topology) return tl::make_unexpected(topology.error());
   return steps.take(mesh, context, [&](RowSink& sink) {
-    return scheme_of(rules.scheme).refinement(mesh, *topology, rules, context, sink);
+    auto refined = scheme_of(rules.scheme).refinement(mesh, *topology, rules, context, sink);
+    // It told how the mesh before was made from one that is given.
+    if (refined) {
+      std::erase_if(refined->annotations, [](const auto& a) { return a.first == "refined"; });
+    }
+    return refined;
   });
 }
 
@@ -193,7 +198,8 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
   const auto values = flat(normals);
   mesh.channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
   std::erase_if(mesh.annotations, [](const auto& a) {
-    return a.first == "scheme" || a.first == "boundary" || a.first == "weights";
+    return a.first == "scheme" || a.first == "boundary" || a.first == "weights" ||
+           a.first == "refined";
   });
 }
 
