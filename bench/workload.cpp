@@ -1,4 +1,3 @@
-// Files are written here and not by the library, so that its writers cannot please its readers.
 #include "workload.hpp"
 
 #include <surpass/interpolate.hpp>
@@ -6,50 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "mesh_files.hpp"
+
 namespace surpass::bench {
 namespace {
-
-void write(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file.flush()) throw std::runtime_error("cannot write " + path);
-}
-
-std::string obj_text(const Mesh& mesh) {
-  std::string text;
-  auto out = std::back_inserter(text);
-  for (const Point& p : mesh.points) fmt::format_to(out, "v {} {} {}\n", p[0], p[1], p[2]);
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    fmt::format_to(out, "f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
-  }
-  return text;
-}
-
-// Little-endian doubles, as this machine holds them.
-std::string ply_bytes(const Mesh& mesh) {
-  std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
-      "property double y\nproperty double z\nelement face {}\n"
-      "property list uchar int vertex_indices\nend_header\n",
-      mesh.points.size(), mesh.face_count());
-  const auto append = [&](const auto* values, std::size_t count) {
-    bytes.append(reinterpret_cast<const char*>(values), count * sizeof *values);
-  };
-  append(mesh.points.data(), mesh.points.size());
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    bytes.push_back(3);
-    append(mesh.face(f).data(), 3);
-  }
-  return bytes;
-}
 
 double largest_side(std::span<const Point> points) {
   Point low = points.front();
@@ -74,8 +38,8 @@ Workload::Workload(Index side, const std::filesystem::path& folder)
       limit_matrix_(limit_matrix(mesh_)),
       limits_(as_points(limit_matrix_ * as_rows(mesh_.points))) {
   std::filesystem::create_directories(folder);
-  write(obj_, obj_text(mesh_));
-  write(ply_, ply_bytes(mesh_));
+  write_obj(mesh_, obj_);
+  write_ply(mesh_, ply_);
 }
 
 Workload::~Workload() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interpolate/ordered_rows.hpp"
+#include "interpolate/sweep_arrays.hpp"
 #include "scheme/limit_operator.hpp"
 
 namespace surpass {
@@ -24,6 +25,7 @@ struct Block {
   Index obstacle = kNone;  ///< a vertex for which no bound is proven, if there is one
   /// The block's rows, where a semi-iteration may run on them and they could be ordered.
   std::shared_ptr<const OrderedRows> ordered = nullptr;
+  std::shared_ptr<SpareArrays> spare = nullptr;  ///< for their sweeps
 
   [[nodiscard]] bool proven() const { return symmetric && lowest > 0; }
 };

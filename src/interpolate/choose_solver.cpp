@@ -33,6 +33,11 @@ Solver choose_solver(const Block& block) {
   return block.lowest > 0 ? Solver::chebyshev : Solver::bicgstab;
 }
 
+bool is_worth_chebyshev(const Block& block) {
+  constexpr std::size_t kLarge = 2048;
+  return block.symmetric && block.lowest == 0 && !block.suspect && block.vertices.size() >= kLarge;
+}
+
 Verdict run_solver(Solver solver, const LinearSystem& system, Monitor& monitor,
                    std::span<double> x) {
   switch (solver) {
@@ -51,11 +56,14 @@ void order_rows_for(const InterpolateOptions& options, const LimitOperator& op, 
   if (block.vertices.empty()) return;
   const bool automatic = options.solver == Solver::automatic;
   const Solver solver = automatic ? choose_solver(block) : options.solver;
-  const bool sweeps = solver == Solver::chebyshev || solver == Solver::richardson;
+  const bool sweeps = solver == Solver::chebyshev || solver == Solver::richardson ||
+                      (automatic && is_worth_chebyshev(block));
   const bool tests_each = options.full_history || solver == Solver::richardson;
   if (!sweeps || (tests_each && !options.direct)) return;
   auto rows = order_rows(op.rows, block.vertices);
-  if (rows) block.ordered = std::make_shared<const OrderedRows>(std::move(*rows));
+  if (!rows) return;
+  block.spare = std::make_shared<SpareArrays>();
+  block.ordered = std::make_shared<const OrderedRows>(std::move(*rows));
 }
 
 }  // namespace surpass

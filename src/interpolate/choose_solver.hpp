@@ -15,4 +15,10 @@ Verdict run_solver(Solver solver, const LinearSystem& system, Monitor& monitor,
 /// Orders the block's rows if what the options ask for sweeps over them without a test after each.
 void order_rows_for(const InterpolateOptions& options, const LimitOperator& op, Block& block);
 
+/// True for large symmetric blocks whose eigenvalues are positive, though nothing is proven of how
+/// small they are: Chebyshev's iteration converges there, with conjugate gradients for those on
+/// which it is slow. They take somewhat fewer evaluations, but their sums over all unknowns keep
+/// one evaluation from following another in the cache, so each takes several times as long.
+[[nodiscard]] bool is_worth_chebyshev(const Block& block);
+
 }  // namespace surpass

@@ -5,7 +5,9 @@
 #include <surpass/interpolate.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -51,6 +53,10 @@ Result<void> require_size(std::size_t points, const LimitOperator& op) {
 }
 
 Result<void> require_finite(std::span<const double> values, std::size_t width, const char* what) {
+  std::uint64_t others = 0;  // without a branch, several numbers at a time
+  for (const double v : values)
+    others |= std::abs(v) <= std::numeric_limits<double>::max() ? 0U : 1U;
+  if (others == 0) return {};
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) continue;
     return fail(ErrorCode::not_finite, fmt::format("{} is not a finite number", what),
@@ -222,7 +228,8 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   Solution solution{{points.begin(), points.end()}, {}, {}};
   SolveReport& report = solution.report;
   report.box_side = box.side();
-  report.tolerance = floored_tolerance(impl_->options.tolerance, target, *unit);
+  const std::array<Point, 2> corners = {box.low, box.high};  // no coordinate is farther from 0
+  report.tolerance = floored_tolerance(impl_->options.tolerance, flat(std::span(corners)), *unit);
   const Task task{target, 3, *unit, report.tolerance, flat(std::span(solution.points))};
   auto solved = solve_in_stages(*impl_, task, context, report.notes);
   if (!solved) return tl::make_unexpected(solved.error());

@@ -38,6 +38,7 @@ class Monitor {
 
   /// By how much the last error is above the tolerance, as a factor.
   [[nodiscard]] double excess() const { return last_.max / rule_.tolerance; }
+  [[nodiscard]] double tolerance() const { return rule_.tolerance; }
   [[nodiscard]] unsigned iterations_left() const { return rule_.max_iterations - last_.iteration; }
 
   [[nodiscard]] unsigned iterations() const { return last_.iteration; }

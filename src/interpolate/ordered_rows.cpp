@@ -1,13 +1,18 @@
 #include "interpolate/ordered_rows.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace surpass {
 namespace {
 
+std::vector<std::uint16_t>& columns_of(OrderedRows& rows, std::uint16_t) { return rows.near; }
+std::vector<Index>& columns_of(OrderedRows& rows, Index) { return rows.far; }
+
 // Level after level, so that what is read to find the next one is still in the cache when the
 // columns are written.
+template <class Column>
 class Orderer {
  public:
   Orderer(const SparseRows& rows, const std::vector<Index>& block)
@@ -16,6 +21,9 @@ class Orderer {
         waiting_(rows.row_count(), false),
         place_(rows.row_count(), kNone),
         next_(rows.weights().size() + 1, 0) {}
+
+  /// Nothing came of it, but something might with wider columns.
+  [[nodiscard]] bool is_too_far() const { return is_too_far_; }
 
   std::optional<OrderedRows> run() {
     Index entries = 0;
@@ -26,7 +34,7 @@ class Orderer {
     out_.row_count = static_cast<Index>(block_.size());
     out_.weights = rows_.weights();
     out_.vertices.reserve(block_.size());
-    out_.columns.reserve(entries);
+    columns_.reserve(entries);
     // A part that is not connected to what was reached starts with a level of its own.
     for (const Index seed : block_) {
       if (waiting_[seed] && !order_from(seed)) return std::nullopt;
@@ -38,6 +46,7 @@ class Orderer {
  private:
   // Rows ahead of the one at work for which memory is asked: their places in it look random.
   static constexpr Index kAhead = 8;
+  static constexpr bool kNear = sizeof(Column) < sizeof(Index);
   struct Row {
     Index vertex;
     Index weights;
@@ -51,12 +60,13 @@ class Orderer {
   bool order_from(Index seed) {
     const Index start = placed();
     reach(seed);
-    Level before{start, start, 0};
+    Level before{last_level_, start, 0};
     for (Level level = place_level(); level.begin < level.end;) {
       find_neighbours();
       const Level next = place_level();
       if (!fill_columns(level, before.begin, next.end)) return false;
       before = level;
+      last_level_ = level.begin;
       level = next;
     }
     return true;
@@ -99,7 +109,7 @@ class Orderer {
               [](const Row& a, const Row& b) { return a.weights < b.weights; });
     for (const auto& [v, weights] : lists_) {
       const Index begin = std::exchange(level.end, level.end + next_[weights]);
-      out_.runs.push_back({begin, level.end, rows_.row_length(v), weights, entries_});
+      out_.runs.push_back({begin, level.end, rows_.row_length(v), weights, entries_, true});
       entries_ += (level.end - begin) * rows_.row_length(v);
       next_[weights] = begin;
     }
@@ -115,22 +125,31 @@ class Orderer {
 
   // All that the level reads must be placed from `low` to `high`, or known.
   bool fill_columns(const Level& level, Index low, Index high) {
-    std::size_t at = out_.columns.size();
+    std::size_t at = columns_.size();
+    const Index origin = kNear ? low : 0;
     for (std::size_t r = level.first_run; r < out_.runs.size() && out_.runs[r].begin < level.end;
          ++r) {
-      const OrderedRows::Run& run = out_.runs[r];
-      out_.columns.resize(at + std::size_t{run.end - run.begin} * run.length);
+      OrderedRows::Run& run = out_.runs[r];
+      columns_.resize(at + std::size_t{run.end - run.begin} * run.length);
       for (Index i = run.begin; i < run.end; ++i) {
         prefetch_places(i, level.end);
         for (const Index w : rows_.row_columns(out_.vertices[i])) {
           if (place_[w] == kNone && !learn(w)) return false;
           const Index place = place_[w];
           if (place < out_.row_count && (place < low || place >= high)) return false;
-          out_.columns[at++] = place * OrderedRows::kStride;
+          const Index column = (place - origin) * OrderedRows::kStride;
+          if (kNear && column > std::numeric_limits<Column>::max()) return too_far();
+          columns_[at++] = static_cast<Column>(column);
         }
+        run.own_first &= rows_.row_columns(out_.vertices[i]).front() == out_.vertices[i];
       }
     }
     return true;
+  }
+
+  bool too_far() {
+    is_too_far_ = true;
+    return false;
   }
 
   // A row, its columns and their places lie in three different parts of memory.
@@ -162,13 +181,21 @@ class Orderer {
   std::vector<Row> lists_;   // of each list of weights in the level, the row that was reached first
   std::vector<Index> next_;  // by start of weights: how many rows, then the place of the next one
   Index entries_ = 0;
+  Index last_level_ = 0;  // where the last level begins that was filled
+  bool is_too_far_ = false;
   OrderedRows out_;
+  std::vector<Column>& columns_ = columns_of(out_, Column{});
 };
 
 }  // namespace
 
 std::optional<OrderedRows> order_rows(const SparseRows& rows, const std::vector<Index>& block) {
-  return Orderer(rows, block).run();
+  if (block.size() == rows.row_count()) {  // else there may be known values, which lie far away
+    Orderer<std::uint16_t> orderer(rows, block);
+    auto near = orderer.run();
+    if (!orderer.is_too_far()) return near;
+  }
+  return Orderer<Index>(rows, block).run();
 }
 
 }  // namespace surpass

@@ -1,6 +1,7 @@
 // The rows of a block, put into an order in which they are fast to sweep over.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,23 +17,35 @@ struct OrderedRows {
   struct Run {
     Index begin;  ///< rows begin .. end
     Index end;
-    Index length;   ///< entries a row
-    Index weights;  ///< where its weights start in `weights`
-    Index columns;  ///< where its first row's columns start in `columns`
+    Index length;    ///< entries a row
+    Index weights;   ///< where its weights start in `weights`
+    Index columns;   ///< where its first row's columns start
+    bool own_first;  ///< the first entry of each row is its own place
   };
 
   /// Columns are places times this: numbers in arrays of so many a place, ready to be added.
-  static constexpr Index kStride = 4;
+  static constexpr Index kStride = 3;
 
   std::vector<Run> runs;
   std::vector<Index> levels = {0};  ///< level l has the runs levels[l] .. levels[l + 1]
-  std::vector<Index> columns;       ///< row after row, each in the order of the given row
+  /// Columns, row after row, each in the order of the given row; in `near` from the origin of the
+  /// level on, which halves what has to be read, or, where that is too little, in `far` from 0 on.
+  std::vector<std::uint16_t> near;
+  std::vector<Index> far;
   std::vector<double> weights;
   /// Of each place: the rows' vertices, in their order, then those that rows read but do not own.
   std::vector<Index> vertices;
   Index row_count = 0;
 
   [[nodiscard]] std::size_t level_count() const { return levels.size() - 1; }
+  [[nodiscard]] bool is_near() const { return far.empty(); }
+  [[nodiscard]] Index level_begin(std::size_t level) const {
+    return levels[level] < runs.size() ? runs[levels[level]].begin : row_count;
+  }
+  /// The place from which a level's columns count.
+  [[nodiscard]] Index origin(std::size_t level) const {
+    return is_near() && level > 0 ? level_begin(level - 1) : 0;
+  }
 };
 
 /// The rows of `block` (ascending). Nothing if some row reads farther than the neighbouring levels,

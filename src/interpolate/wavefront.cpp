@@ -8,199 +8,130 @@
 #include <cmath>
 
 namespace surpass {
-// The same operations on wider registers have the same bits, so each machine may use its own. (The
-// choice is made before a sanitizer is ready for it.)
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define SURPASS_FOR_EACH_MACHINE [[gnu::target_clones("avx2", "default")]]
-#else
-#define SURPASS_FOR_EACH_MACHINE
-#endif
-
 namespace {
-
-using Four = Wavefront::Four;
-
-struct Arrays {
-  const Wavefront::Values* target;
-  const Wavefront::Values* current;
-  Wavefront::Values* previous;  // becomes the next
-};
-
-void include(ErrorNorms& norms, const Four& r, double scale) {
-  double squared = 0;
-  for (std::size_t c = 0; c < Wavefront::kWidth; ++c) squared += (r[c] * scale) * (r[c] * scale);
-  const double distance = std::sqrt(squared);
-  if (distance > norms.max || std::isnan(distance)) norms.max = distance;
-  norms.sum += distance;
-}
 
 // Below that, a second thread costs more than it gains.
 constexpr std::size_t kSweepsToShare = 4;
 constexpr Index kRowsToShare = 65536;
 
-// One run. With a constant kLength the loop over a row's entries has no branch.
-template <Index kLength, bool kMeasured>
-[[gnu::always_inline]] inline void sweep_run(const OrderedRows& rows, const OrderedRows::Run& run,
-                                             const Arrays& a, const Wavefront::Sweep& sweep,
-                                             double scale, ErrorNorms& norms) {
-  const Index length = kLength != 0 ? kLength : run.length;
-  const Index* columns = rows.columns.data() + run.columns;
-  const double* weights = rows.weights.data() + run.weights;
-  double kept[kLength != 0 ? kLength : 1];  // in registers
-  for (Index k = 0; k < kLength; ++k) kept[k] = weights[k];
-  const auto* current = reinterpret_cast<const double*>(a.current);
-  const auto at = [&](Index column) -> const Four& {
-    return *reinterpret_cast<const Four*>(current + column);
-  };
-  const double momentum = sweep.momentum;
-  const double step = sweep.step;
-  for (Index i = run.begin; i < run.end; ++i, columns += length) {
-    Four product{};
-    for (Index k = 0; k < length; ++k) {
-      product += (kLength != 0 ? kept[k] : weights[k]) * at(columns[k]);
-    }
-    const Four x = a.current[i].four;
-    const Four r = a.target[i].four - product;
-    a.previous[i].four = x + momentum * (x - a.previous[i].four) + step * r;
-    if (kMeasured) include(norms, r, scale);
-  }
-}
-
-template <bool kMeasured>
-[[gnu::always_inline]] inline void sweep_any_level(const OrderedRows& rows, std::size_t level,
-                                                   const Arrays& a, const Wavefront::Sweep& sweep,
-                                                   double scale, ErrorNorms& norms) {
-  for (Index i = rows.levels[level]; i < rows.levels[level + 1]; ++i) {
-    const OrderedRows::Run& run = rows.runs[i];
-    switch (run.length) {
-      case 4: sweep_run<4, kMeasured>(rows, run, a, sweep, scale, norms); break;
-      case 5: sweep_run<5, kMeasured>(rows, run, a, sweep, scale, norms); break;
-      case 6: sweep_run<6, kMeasured>(rows, run, a, sweep, scale, norms); break;
-      case 7: sweep_run<7, kMeasured>(rows, run, a, sweep, scale, norms); break;
-      case 8: sweep_run<8, kMeasured>(rows, run, a, sweep, scale, norms); break;
-      case 9: sweep_run<9, kMeasured>(rows, run, a, sweep, scale, norms); break;
-      default: sweep_run<0, kMeasured>(rows, run, a, sweep, scale, norms); break;
-    }
-  }
-}
-
-SURPASS_FOR_EACH_MACHINE
-void sweep_level(const OrderedRows& rows, std::size_t level, const Arrays& a,
-                 const Wavefront::Sweep& sweep) {
-  ErrorNorms none;
-  sweep_any_level<false>(rows, level, a, sweep, 1, none);
-}
-
-SURPASS_FOR_EACH_MACHINE
-void sweep_and_measure_level(const OrderedRows& rows, std::size_t level, const Arrays& a,
-                             const Wavefront::Sweep& sweep, double scale, ErrorNorms& norms) {
-  sweep_any_level<true>(rows, level, a, sweep, scale, norms);
-}
-
 }  // namespace
 
-// Nothing is cleared first: fresh memory costs more to touch than to fill.
 Wavefront::Wavefront(const OrderedRows& rows, const LinearSystem& system, std::span<const double> x)
     : rows_(rows),
       system_(system),
-      target_(std::make_unique_for_overwrite<Values[]>(rows.row_count)) {
-  const std::size_t places = rows.vertices.size();
-  for (auto& points : points_) points = std::make_unique_for_overwrite<Values[]>(places);
-  parallel::for_ranges(system.context, places, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool known = i >= rows.row_count;
-      const double* from = known ? x.data() : system.target.data();
-      Four value{};
-      const std::size_t at = rows.vertices[i] * system.width;
-      for (std::size_t c = 0; c < system.width; ++c) value[c] = from[at + c];
-      if (!known) target_[i].four = value;
-      points_[0][i].four = points_[1][i].four = value;
+      stride_(sweep_stride(system.width)),
+      arrays_(system.block.spare->take(rows.vertices.size() * stride_ + 1)) {
+  for (std::size_t i = rows.row_count; i < rows.vertices.size(); ++i) {
+    const double* known = x.data() + rows.vertices[i] * system.width;
+    for (const auto& array : {&arrays_.target, &arrays_.points[0], &arrays_.points[1]}) {
+      double* place = array->get() + i * stride_;
+      std::fill(std::copy_n(known, system.width, place), place + stride_, 0.0);
     }
-  });
+  }
 }
 
-// How far a group of sweeps is: the levels that its last sweep has passed. The next group waits
-// here, asleep.
+Wavefront::~Wavefront() { system_.block.spare->give_back(std::move(arrays_)); }
+
+// The target is the first point and is not overwritten, so the other two arrays take turns.
+double* Wavefront::point(std::size_t sweeps) const {
+  return sweeps == 0 ? arrays_.target.get() : arrays_.points[sweeps % 2].get();
+}
+
+void Wavefront::gather(std::size_t level) const {
+  const std::size_t width = system_.width;
+  const Index end = rows_.level_begin(level + 1);
+  double* place = arrays_.target.get() + rows_.level_begin(level) * stride_;
+  for (Index i = rows_.level_begin(level); i < end; ++i, place += stride_) {
+    const double* from = system_.target.data() + rows_.vertices[i] * width;
+    for (std::size_t c = 0; c < stride_; ++c) place[c] = c < width ? from[c] : 0;
+  }
+}
+
+// How many fronts a group of stages is through with. The next group waits here, asleep.
 struct Wavefront::Passage {
   std::atomic<std::size_t> passed{0};
-  void pass(std::size_t levels) {
-    passed.store(levels, std::memory_order_release);
+  void pass(std::size_t fronts) {
+    passed.store(fronts, std::memory_order_release);
     passed.notify_one();
   }
-  void await(std::size_t levels) const {
-    for (std::size_t now = passed.load(std::memory_order_acquire); now < levels;
+  void await(std::size_t fronts) const {
+    for (std::size_t now = passed.load(std::memory_order_acquire); now < fronts;
          now = passed.load(std::memory_order_acquire)) {
       passed.wait(now, std::memory_order_acquire);
     }
   }
 };
 
-// A sweep may be at a level when the one before has passed the next level: then all that it reads
-// is there, and what it overwrites is not needed any more.
-bool Wavefront::sweep_together(std::span<const Sweep> sweeps, std::size_t parity, Passage* before,
-                               Passage* after, ErrorNorms* norms,
-                               const std::function<void(double)>& tick) const {
+// A stage is a sweep or, before the first of them, the gathering of the target; at front f, stage s
+// is at level f - s. So the sweep before has passed the next level: all that this one reads is
+// there, and what it overwrites is not needed any more. Another thread has to be a front further,
+// as the first number of the level after that may be read as well.
+bool Wavefront::go(const Group& group, std::span<const Sweep> sweeps, Errors& errors,
+                   const std::function<void(double)>& tick) const {
   const std::size_t levels = rows_.level_count();
-  const std::size_t last = sweeps.size() - 1;
-  const std::size_t fronts = levels + last;
+  const std::size_t fronts = levels + gathers() + sweeps.size() - 1;
   const std::size_t between_ticks = fronts / 32 + 1;
   bool completed = true;
   for (std::size_t front = 0; front < fronts && completed; ++front) {
-    if (before != nullptr) before->await(std::min(front + 2, levels));
+    if (group.before != nullptr) group.before->await(std::min(front + 2, fronts));
     completed = !system_.context.cancelled();
     if (tick && front % between_ticks == 0) {
       tick(static_cast<double>(front) / static_cast<double>(fronts));
     }
-    for (std::size_t s = 0; s <= std::min(front, last); ++s) {
-      if (front - s >= levels) continue;
-      const std::size_t from = (parity + s) % 2;
-      const Arrays arrays{target_.get(), points_[from].get(), points_[1 - from].get()};
-      if (norms != nullptr && s == last) {
-        sweep_and_measure_level(rows_, front - s, arrays, sweeps[s], system_.scale, *norms);
-      } else {
-        sweep_level(rows_, front - s, arrays, sweeps[s]);
+    for (std::size_t stage = group.begin; stage < std::min(front + 1, group.end); ++stage) {
+      const std::size_t level = front - stage;
+      if (level >= levels) continue;
+      if (stage < gathers()) {
+        gather(level);
+        continue;
       }
+      const std::size_t s = stage - gathers();
+      const std::size_t k = done_ + s;
+      const SweepPoints points{point(0), point(k), point(k == 0 ? 0 : k - 1), point(k + 1)};
+      ErrorNorms* norms = s + 1 == sweeps.size() ? &errors.last : k == 0 ? &errors.start : nullptr;
+      sweep_level(rows_, level, system_.width, points, sweeps[s], system_.scale, norms);
     }
-    if (after != nullptr && front >= last) after->pass(front - last + 1);
+    if (group.after != nullptr) group.after->pass(front + 1);
   }
-  if (after != nullptr) after->pass(levels);  // cancelled or not, so that nobody waits for ever
+  if (group.after != nullptr) group.after->pass(fronts);  // cancelled or not: nobody waits for ever
   return completed;
 }
 
-std::optional<ErrorNorms> Wavefront::advance(std::span<const Sweep> sweeps,
-                                             const std::function<void(double)>& tick) {
-  const std::size_t first = 1 - measured_;
-  ErrorNorms norms;
+std::optional<Wavefront::Errors> Wavefront::advance(std::span<const Sweep> sweeps,
+                                                    const std::function<void(double)>& tick) {
+  const std::size_t stages = gathers() + sweeps.size();
+  Errors errors;
   bool completed = false;
   if (sweeps.size() < kSweepsToShare || rows_.row_count < kRowsToShare) {
-    completed = sweep_together(sweeps, first, nullptr, nullptr, &norms, tick);
+    completed = go({0, stages, nullptr, nullptr}, sweeps, errors, tick);
   } else {
-    // Two threads: the earlier half of the sweeps, and behind it the later one.
-    const std::size_t half = sweeps.size() / 2;
+    // Two threads: the earlier half of the stages, and behind it the later one.
+    const std::size_t half = stages / 2;
     Passage passage;
     bool earlier = false;
     bool later = false;
     parallel::run_beside(
         system_.context,
         [&] {
-          earlier = sweep_together(sweeps.first(half), first, nullptr, &passage, nullptr, tick);
+          earlier = go({0, half, nullptr, &passage}, sweeps, errors, tick);
         },
         [&] {
-          later = sweep_together(sweeps.subspan(half), first + half, &passage, nullptr, &norms, {});
+          later = go({half, stages, &passage, nullptr}, sweeps, errors, {});
         });
     completed = earlier && later;
   }
   if (!completed) return std::nullopt;
-  measured_ = (first + sweeps.size() - 1) % 2;
-  return norms;
+  if (done_ == 0 && sweeps.size() == 1) errors.start = errors.last;
+  done_ += sweeps.size();
+  return errors;
 }
 
-void Wavefront::copy(std::size_t from, std::span<double> x) const {
+void Wavefront::copy(std::size_t sweeps, std::span<double> x) const {
+  const double* from = point(sweeps);
+  const std::size_t width = system_.width;
   parallel::for_ranges(system_.context, rows_.row_count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t at = rows_.vertices[i] * system_.width;
-      for (std::size_t c = 0; c < system_.width; ++c) x[at + c] = points_[from][i].four[c];
+      std::copy_n(from + i * stride_, width, x.data() + rows_.vertices[i] * width);
     }
   });
 }
@@ -224,24 +155,40 @@ unsigned likely_sweeps(double factor, double reduction) {
   return static_cast<unsigned>(std::clamp(wanted, 1.0, double{kMostSweeps}));
 }
 
+// About half of the sweeps that points take which are a hundredth of the unit off: with how far the
+// limit is, the second pass is told how many are left.
+unsigned first_sweeps(const Monitor& monitor, double reduction) {
+  constexpr double kUsualError = 1e-2;
+  const double factor = std::max(1.0, kUsualError / monitor.tolerance());
+  return std::min(likely_sweeps(std::sqrt(factor), reduction), monitor.iterations_left());
+}
+
 }  // namespace
 
 Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
                             SemiIteration coefficients, Monitor& monitor, std::span<double> x) {
   const SemiIteration start = coefficients;
   Wavefront front(rows, system, x);
-  Verdict verdict{};
-  // The first sweep tells how far there is to go. Chebyshev's polynomials reach their rate after a
-  // loss of up to 2.
-  unsigned count = 1;
-  for (double loss = 2;; loss = 1) {
-    const auto norms = front.advance(next_sweeps(coefficients, count),
-                                     [&](double part) { monitor.announce(part, count); });
-    verdict = norms ? monitor.record(*norms, count) : Verdict::cancelled;
-    if (verdict != Verdict::go_on) break;
-    count = std::min(likely_sweeps(loss * monitor.excess(), coefficients.reduction()),
-                     monitor.iterations_left());
+  unsigned count = first_sweeps(monitor, coefficients.reduction());
+  const auto advance = [&] {
+    return front.advance(next_sweeps(coefficients, count),
+                         [&](double part) { monitor.announce(part, count); });
+  };
+  auto errors = advance();
+  if (!errors) return Verdict::cancelled;
+  Verdict verdict = monitor.record(errors->start);
+  if (verdict != Verdict::go_on) {
+    front.copy_target(x);
+    return verdict;
   }
+  if (count > 1) verdict = monitor.record(errors->last, count - 1);
+  while (verdict == Verdict::go_on) {
+    count = std::min(likely_sweeps(monitor.excess(), coefficients.reduction()),
+                     monitor.iterations_left());
+    errors = advance();
+    verdict = errors ? monitor.record(errors->last, count) : Verdict::cancelled;
+  }
+  if (verdict == Verdict::cancelled) return verdict;
   front.copy_measured(x);
   if (monitor.passed_best(verdict)) {
     // The iteration is deterministic: its best point is found again by going there.
@@ -252,6 +199,10 @@ Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
 
 bool wavefront_iteration_blind(const OrderedRows& rows, const LinearSystem& system,
                                SemiIteration coefficients, unsigned sweeps, std::span<double> x) {
+  if (sweeps == 0) {
+    system.for_values([&](std::size_t at, std::size_t) { x[at] = system.target[at]; });
+    return true;
+  }
   Wavefront front(rows, system, x);
   for (unsigned done = 0; done < sweeps; done += kMostSweeps) {
     const unsigned count = std::min(kMostSweeps, sweeps - done);

@@ -49,11 +49,31 @@ TEST(Threads, SharedSweepsHaveTheSameBits) {
   const auto one = interpolate(mesh, {.tolerance = 1e-10}, context);
   ASSERT_TRUE(one) << describe(one.error());
   EXPECT_GT(one->report.iterations, 5U);
-  context.threads = 2;
-  const auto two = interpolate(mesh, {.tolerance = 1e-10}, context);
-  ASSERT_TRUE(two);
-  EXPECT_EQ(one->control, two->control);
-  EXPECT_EQ(one->report.final.max, two->report.final.max);
+  for (const int threads : {2, 3, 8}) {
+    context.threads = threads;
+    const auto many = interpolate(mesh, {.tolerance = 1e-10}, context);
+    ASSERT_TRUE(many);
+    EXPECT_EQ(one->control, many->control) << threads;
+    EXPECT_EQ(one->report.final.max, many->report.final.max);
+  }
+}
+
+// Quads with vertices of valence 3, of whose eigenvalues nothing but the sign is proven.
+TEST(Threads, SharedSweepsOverQuadsHaveTheSameBits) {
+  const Rules rules{Scheme::catmull_clark};
+  std::mt19937_64 random(3);
+  const Mesh mesh = test::jitter(refine(test::cube(), rules, 7).value(), random, 0.001);
+  ASSERT_GT(mesh.points.size(), 65536U);
+  const InterpolateOptions options{.rules = rules, .tolerance = 1e-10};
+  Context context;
+  context.threads = 1;
+  const auto one = interpolate(mesh, options, context);
+  ASSERT_TRUE(one) << describe(one.error());
+  EXPECT_EQ(one->report.solver, "chebyshev");
+  for (const int threads : {2, 3, 8}) {
+    context.threads = threads;
+    EXPECT_EQ(one->control, interpolate(mesh, options, context)->control) << threads;
+  }
 }
 
 TEST(Threads, ConjugateGradientsHaveTheSameBits) {

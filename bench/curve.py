@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""Times the whole program from a thousand to ten million vertices: curve.py BUILD RESULTS PLOT
+
+Runs BUILD/surpass interpolate on one thread, OBJ in, binary PLY out, certificate included, on tori
+made by BUILD/surpass_torus. Writes RESULTS/curve.json with every run, RESULTS/curve.md with the
+table, which it prints too, and PLOT, an SVG. Takes a few minutes and 4 GB at the largest size.
+"""
+import json
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+RUNS = {32: 15, 100: 15, 316: 7, 1000: 5, 3162: 5}  # by vertices a side
+STAGES = ["read", "topology", "solve", "verify", "write"]
+ADVICE = 1000  # vertices: the most that the commercial tool that we know advises
+GROWTH = (316, 3162, 1.6)  # between these sides, time per vertex may grow by this much
+
+
+def run(program, mesh, folder):
+    """Seconds by stage, processor seconds and peak bytes of one process."""
+    report = folder / "report.json"
+    child = subprocess.Popen([program, "interpolate", mesh, "-o", folder / "control.ply",
+                              "--tolerance", "1e-10", "--threads", "1", "--quiet",
+                              "--report", report])
+    _, status, usage = os.wait4(child.pid, 0)
+    child.returncode = os.waitstatus_to_exitcode(status)
+    if child.returncode != 0:
+        sys.exit(f"{program} failed on {mesh}")
+    found = json.loads(report.read_text())
+    return {"processor": usage.ru_utime + usage.ru_stime, "peak": usage.ru_maxrss * 1024,
+            "iterations": found["iterations"], "error": found["error"]["max"],
+            **{stage: found["seconds"][stage] for stage in STAGES}}
+
+
+def measure(build):
+    figures = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        mesh = folder / "torus.obj"
+        for side, count in RUNS.items():
+            subprocess.run([build / "surpass_torus", str(side), mesh], check=True)
+            run(build / "surpass", mesh, folder)  # warms up
+            runs = [run(build / "surpass", mesh, folder) for _ in range(count)]
+            figures.append({"vertices": side * side, "runs": runs})
+            print(f"{side * side} vertices: {count} runs", file=sys.stderr)
+    return figures
+
+
+def median(size, key):
+    return statistics.median(r[key] for r in size["runs"])
+
+
+def per_vertex(size, key):
+    """Nanoseconds, or bytes for the peak."""
+    return median(size, key) / size["vertices"] * (1 if key == "peak" else 1e9)
+
+
+def table(figures):
+    lines = ["| vertices | processor time, ms | ns a vertex | " +
+             " | ".join(f"{s}, ns a vertex" for s in STAGES) +
+             " | evaluations | error | peak, bytes a vertex |",
+             "|" + " --- |" * (len(STAGES) + 6)]
+    for size in figures:
+        cells = [size["vertices"], f"{1e3 * median(size, 'processor'):.3g}",
+                 f"{per_vertex(size, 'processor'):.0f}",
+                 *(f"{per_vertex(size, s):.0f}" for s in STAGES),
+                 f"{median(size, 'iterations'):.0f}", f"{median(size, 'error'):.0e}",
+                 f"{per_vertex(size, 'peak'):.0f}"]
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
+    by_size = {s["vertices"]: s for s in figures}
+    small, large, bound = (by_size[GROWTH[0] ** 2], by_size[GROWTH[1] ** 2], GROWTH[2])
+    growth = per_vertex(large, "processor") / per_vertex(small, "processor")
+    verdict = "reached" if growth <= bound else "**missed**"
+    lines += ["", f"From {small['vertices']} to {large['vertices']} vertices the processor time a "
+                  f"vertex grows by a factor of {growth:.2f}; striven for: at most {bound}: {verdict}."]
+    return "\n".join(lines)
+
+
+def plot(figures):
+    """Seconds over vertices, both logarithmic."""
+    left, top, width, height = 70, 20, 560, 360
+    x0, x1, y0, y1 = 2.8, 7.2, -5, 2
+
+    def x(vertices):
+        return left + (math.log10(vertices) - x0) / (x1 - x0) * width
+
+    def y(seconds):
+        return top + (y1 - math.log10(max(seconds, 10 ** y0))) / (y1 - y0) * height
+
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {left + width + 110} '
+           f'{top + height + 50}" font-family="sans-serif" font-size="13">',
+           '<rect width="100%" height="100%" fill="white"/>']
+    for power in range(3, 8):
+        at = x(10 ** power)
+        out.append(f'<path d="M{at:.1f} {top}V{top + height}" stroke="#ddd"/>'
+                   f'<text x="{at:.1f}" y="{top + height + 18}" text-anchor="middle">'
+                   f'{10 ** power:,}</text>')
+    names = {-5: "10 µs", -4: "0.1 ms", -3: "1 ms", -2: "10 ms", -1: "0.1 s", 0: "1 s", 1: "10 s",
+             2: "100 s"}
+    for power, name in names.items():
+        at = y(10 ** power)
+        out.append(f'<path d="M{left} {at:.1f}H{left + width}" stroke="#ddd"/>'
+                   f'<text x="{left - 8}" y="{at + 4:.1f}" text-anchor="end">{name}</text>')
+    at = x(ADVICE)
+    out.append(f'<path d="M{at:.1f} {top}V{top + height}" stroke="#c00" stroke-dasharray="6 4"/>'
+               f'<text x="{at + 6:.1f}" y="{top + 16}" fill="#c00">advised at most by a commercial '
+               'tool</text>')
+    out.append(f'<text x="{left + width / 2}" y="{top + height + 40}" text-anchor="middle">vertices'
+               '</text>')
+    colours = ["#000", "#1f77b4", "#ff7f0e", "#2ca02c", "#9467bd", "#8c564b"]
+    ends = []
+    for key, colour in zip(["processor", *STAGES], colours):
+        points = [(x(s["vertices"]), y(median(s, key))) for s in figures]
+        line = " ".join(f"{px:.1f},{py:.1f}" for px, py in points)
+        out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" '
+                   f'stroke-width="{2.5 if key == "processor" else 1.5}"/>')
+        ends.append((points[-1], "whole program" if key == "processor" else key, colour))
+    last = -100.0
+    for (px, py), name, colour in sorted(ends, key=lambda end: end[0][1]):
+        last = max(py, last + 14)  # names that would lie on each other move down
+        out.append(f'<text x="{px + 6:.1f}" y="{last + 4:.1f}" fill="{colour}">{name}</text>')
+    return "\n".join([*out, "</svg>", ""])
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    build, results, picture = map(pathlib.Path, sys.argv[1:])
+    figures = measure(build)
+    (results / "curve.json").write_text(json.dumps(figures, indent=1) + "\n")
+    (results / "curve.md").write_text(table(figures) + "\n")
+    picture.write_text(plot(figures))
+    print(table(figures))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,46 @@
+// What the sweeps over ordered rows work on, kept for the next solve.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace surpass {
+
+/// The target and two points of a semi-iteration, which is all that it needs of them.
+struct SweepArrays {
+  std::size_t size = 0;  ///< numbers that each has
+  std::unique_ptr<double[]> target = nullptr;
+  std::array<std::unique_ptr<double[]>, 2> points = {};
+
+  /// Nothing is cleared: fresh memory costs more to touch than to fill.
+  static SweepArrays of(std::size_t size) {
+    const auto make = [&] { return std::make_unique_for_overwrite<double[]>(size); };
+    return {size, make(), {make(), make()}};
+  }
+};
+
+/// Hands out the arrays of one block and takes them back: memory that was used before costs
+/// nothing, fresh memory as much as a few sweeps. Solves at the same time get arrays of their own.
+class SpareArrays {
+ public:
+  [[nodiscard]] SweepArrays take(std::size_t size) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (kept_.size == size) return std::exchange(kept_, {});
+    }
+    return SweepArrays::of(size);
+  }
+  void give_back(SweepArrays arrays) {
+    const std::lock_guard lock(mutex_);
+    kept_ = std::move(arrays);
+  }
+
+ private:
+  std::mutex mutex_;
+  SweepArrays kept_;
+};
+
+}  // namespace surpass
