@@ -205,6 +205,13 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
   });
 }
 
+Result<std::unique_ptr<const SurfaceEvaluator>> SubdivisionScheme::evaluator(
+    const Mesh& /*mesh*/, const Topology& /*topology*/, const Rules& /*rules*/,
+    const Context& /*context*/) const {
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} surfaces are evaluated at their vertices only", title()));
+}
+
 Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rules, int levels,
                                            const Context& context) const {
   auto mesh = refine(control, rules, levels, context);

@@ -2,7 +2,10 @@
 // this folder asks which one it is.
 #pragma once
 
+#include <memory>
+
 #include "scheme/limit_operator.hpp"
+#include "scheme/surface_evaluator.hpp"
 
 namespace surpass {
 
@@ -35,6 +38,11 @@ class SubdivisionScheme {
                                                                  const Topology& topology,
                                                                  const Rules& rules,
                                                                  const Context& context) const = 0;
+
+  /// What evaluates the surface between its vertices; it may refer to the topology, which stays.
+  /// Here: there is none, an error.
+  [[nodiscard]] virtual Result<std::unique_ptr<const SurfaceEvaluator>> evaluator(
+      const Mesh& mesh, const Topology& topology, const Rules& rules, const Context& context) const;
 
   /// See surpass::limit_mesh. Here: the refined vertices, moved to their limits.
   [[nodiscard]] virtual Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,

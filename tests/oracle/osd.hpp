@@ -1,6 +1,7 @@
 // OpenSubdiv as a second opinion: refined points and tangents of the given vertices.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "support/meshes.hpp"
@@ -17,5 +18,22 @@ OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels);
 
 /// Unit limit normals at the given vertices, from OpenSubdiv's limit tangents after one refinement.
 std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules);
+
+/// The limit surface anywhere by OpenSubdiv's own evaluator (Bfr), with its finest approximation
+/// that is sound: exact at distances of more than about 1/1024 from irregular vertices.
+class OsdSurface {
+ public:
+  OsdSurface(const Mesh& mesh, const Rules& rules);
+  ~OsdSurface();
+  OsdSurface(const OsdSurface&) = delete;
+  OsdSurface& operator=(const OsdSurface&) = delete;
+
+  /// Derivatives by the parameters of the place. Nothing where it refuses the face.
+  [[nodiscard]] std::optional<SurfaceSample> evaluate(const SurfacePlace& place) const;
+
+ private:
+  struct Contents;
+  std::unique_ptr<Contents> contents_;
+};
 
 }  // namespace surpass::test
