@@ -24,7 +24,7 @@ enum class Similarity {
 /// The weight w of a derivative under Similarity::directions.
 enum class RowWeights {
   none,         ///< 1 (the paper)
-  unit,         ///< 1 / |g|^2; 0 where g vanishes
+  unit,         ///< 1 / |g|^2; 0 where |g|^2 is below 1e-24 of its mean over first derivatives
   order,        ///< 1 / the mean of |g|^2 over the derivatives of the same order
   regularised,  ///< 1 / (|g|^2 + 0.09 times the mean of |g|^2 over first derivatives)
 };

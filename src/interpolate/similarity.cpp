@@ -98,8 +98,14 @@ FreeOutcome minimise(const SimilarityPrepared& prepared, const PatchEnergy& ener
   std::vector<double> gradient(x.size());
   std::vector<double> change(x.begin(), x.end());
   if (prepared.options.similarity != Similarity::fair) {
-    // Only the difference to the reference costs.
-    for (std::size_t i = 0; i < x.size(); ++i) change[i] -= reference[i];
+    // Only the difference to the reference costs, and it may be nothing but rounding.
+    double largest = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      change[i] -= reference[i];
+      largest = std::max(largest, std::abs(change[i]));
+    }
+    constexpr double kRounding = 1e-14;  // coordinates are near 1
+    if (largest <= kRounding) return {};
   }
   energy.product(context, wanted.width, change, gradient);
   prepared.elimination.restrict_gradient(context, wanted.width, gradient);

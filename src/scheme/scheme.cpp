@@ -156,6 +156,8 @@ Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& co
   auto step = scheme_of(rules.scheme).refinement(mesh, *topology, rules, context);
   if (!step) return tl::make_unexpected(step.error());
   apply_stencil(mesh, *step, context);
+  // It told how the mesh before was made from one that is given.
+  std::erase_if(step->mesh.annotations, [](const auto& a) { return a.first == "refined"; });
   return std::move(step->mesh);
 }
 
@@ -201,7 +203,8 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
   const auto values = flat(normals);
   mesh.channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
   std::erase_if(mesh.annotations, [](const auto& a) {
-    return a.first == "scheme" || a.first == "boundary" || a.first == "weights";
+    return a.first == "scheme" || a.first == "boundary" || a.first == "weights" ||
+           a.first == "refined";
   });
 }
 

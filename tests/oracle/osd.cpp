@@ -23,7 +23,7 @@ struct Value {
   }
 };
 
-std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& rules, int levels) {
+std::unique_ptr<Far::TopologyRefiner> base_of(const Mesh& mesh, const Rules& rules) {
   std::vector<int> sizes;
   for (Index f = 0; f < mesh.face_count(); ++f)
     sizes.push_back(static_cast<int>(mesh.face(f).size()));
@@ -58,9 +58,11 @@ std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& 
   const Sdc::SchemeType type =
       rules.scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-  std::unique_ptr<Far::TopologyRefiner> refiner(
-      Factory::Create(d, Factory::Options(type, options)));
-  if (levels == 0) return refiner;
+  return std::unique_ptr<Far::TopologyRefiner>(Factory::Create(d, Factory::Options(type, options)));
+}
+
+std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& rules, int levels) {
+  auto refiner = base_of(mesh, rules);
   Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;
   refiner->RefineUniform(uniform);
@@ -89,6 +91,10 @@ Walk walk(const Far::TopologyRefiner& refiner, const Mesh& mesh, int levels) {
 }
 
 }  // namespace
+
+std::unique_ptr<Far::TopologyRefiner> osd_refiner(const Mesh& mesh, const Rules& rules) {
+  return base_of(mesh, rules);
+}
 
 OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels) {
   const auto refiner = refiner_of(mesh, rules, levels);
@@ -120,7 +126,7 @@ std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules) {
 
 struct OsdSurface::Contents {
   Contents(const Mesh& mesh, const Rules& rules)
-      : points(mesh.points), refiner(refiner_of(mesh, rules, 0)), factory(*refiner, options()) {}
+      : points(mesh.points), refiner(base_of(mesh, rules)), factory(*refiner, options()) {}
 
   static Bfr::SurfaceFactory::Options options() {
     constexpr int kFinest = 10;  // beyond, its patches with two irregular corners are wrong
