@@ -3,6 +3,7 @@
 #pragma once
 
 #include <surpass/context.hpp>
+#include <surpass/evaluate.hpp>
 #include <surpass/fairness.hpp>
 #include <surpass/interpolate.hpp>
 #include <surpass/io.hpp>

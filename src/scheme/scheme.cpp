@@ -203,6 +203,13 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
   });
 }
 
+Result<std::unique_ptr<const SurfaceEvaluator>> SubdivisionScheme::evaluator(
+    const Mesh& /*mesh*/, const Topology& /*topology*/, const Rules& /*rules*/,
+    const Context& /*context*/) const {
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} surfaces are evaluated at their vertices only", title()));
+}
+
 Result<SparseRows> SubdivisionScheme::given_limits(const Mesh& refined, const Topology& topology,
                                                    const Rules& rules, Index given,
                                                    const Context& context) const {

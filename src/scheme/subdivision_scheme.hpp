@@ -2,10 +2,13 @@
 // this folder asks which one it is.
 #pragma once
 
+#include <memory>
+
 #include "scheme/limit_operator.hpp"
 #include "scheme/limit_samples.hpp"
 #include "scheme/patch_kind.hpp"
 #include "scheme/steps.hpp"
+#include "scheme/surface_evaluator.hpp"
 
 namespace surpass {
 
@@ -40,6 +43,11 @@ class SubdivisionScheme {
                                                                  const Topology& topology,
                                                                  const Rules& rules,
                                                                  const Context& context) const = 0;
+
+  /// What evaluates the surface between its vertices; it may refer to the topology, which stays.
+  /// Here: there is none, an error.
+  [[nodiscard]] virtual Result<std::unique_ptr<const SurfaceEvaluator>> evaluator(
+      const Mesh& mesh, const Topology& topology, const Rules& rules, const Context& context) const;
 
   /// The limit points of the given vertices as rows over the vertices of the mesh that they were
   /// refined to by one step. Here: the first `given` rows of its limit operator.

@@ -19,7 +19,7 @@ MAY_INCLUDE = {
 PUBLIC_LAYER = {
     'result': 'parallel', 'context': 'parallel', 'version': 'parallel',
     'mesh': 'mesh', 'topology': 'mesh', 'repair': 'mesh',
-    'scheme': 'scheme', 'refiner': 'scheme', 'interpolate': 'interpolate',
+    'scheme': 'scheme', 'refiner': 'scheme', 'evaluate': 'scheme', 'interpolate': 'interpolate',
     'similarity': 'interpolate', 'quality': 'quality', 'fairness': 'quality', 'io': 'io',
     'oracle': 'oracle', 'render': 'render',
 }

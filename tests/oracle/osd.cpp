@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
+#include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 
@@ -11,6 +13,7 @@
 namespace surpass::test {
 namespace {
 
+namespace Bfr = OpenSubdiv::Bfr;
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
@@ -115,6 +118,67 @@ std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules) {
     normals.push_back(n);
   }
   return normals;
+}
+
+struct OsdSurface::Contents {
+  Contents(const Mesh& mesh, const Rules& rules)
+      : points(mesh.points), refiner(base_of(mesh, rules)), factory(*refiner, options()) {}
+
+  static Bfr::SurfaceFactory::Options options() {
+    constexpr int kFinest = 10;  // beyond, its patches with two irregular corners are wrong
+    Bfr::SurfaceFactory::Options options;
+    options.SetApproxLevelSmooth(kFinest);
+    options.SetApproxLevelSharp(kFinest);
+    return options;
+  }
+
+  static inline const Bfr::Surface<double>::PointDescriptor kTriple{3, 3};
+
+  bool prepare(Index f) {
+    if (f == face) return surface->IsValid();
+    face = f;
+    surface.emplace();
+    if (!factory.InitVertexSurface(static_cast<int>(f), &*surface)) return false;
+    patch_points.resize(3 * static_cast<std::size_t>(surface->GetNumPatchPoints()));
+    surface->PreparePatchPoints(points.front().data(), kTriple, patch_points.data(), kTriple);
+    return true;
+  }
+
+  std::vector<Point> points;
+  std::unique_ptr<Far::TopologyRefiner> refiner;
+  Bfr::RefinerSurfaceFactory<> factory;
+  Index face = kNone;  // whose surface is prepared
+  std::optional<Bfr::Surface<double>> surface;
+  std::vector<double> patch_points;
+};
+
+OsdSurface::OsdSurface(const Mesh& mesh, const Rules& rules)
+    : contents_(std::make_unique<Contents>(mesh, rules)) {}
+OsdSurface::~OsdSurface() = default;
+
+std::optional<SurfaceSample> OsdSurface::evaluate(const SurfacePlace& place) const {
+  if (!contents_->prepare(place.face)) return {};
+  const Bfr::Surface<double>& surface = *contents_->surface;
+  double uv[2] = {place.u, place.v};
+  double scale = 1;
+  const Bfr::Parameterization parameters = surface.GetParameterization();
+  if (parameters.HasSubFaces()) {
+    const double local[2] = {place.u, place.v};
+    parameters.ConvertNormalizedSubFaceToCoord(static_cast<int>(place.corner), local, uv);
+    scale = 0.5;  // a quarter is half a unit wide
+  }
+  SurfaceSample s;
+  SurfaceSample::Second second;
+  surface.Evaluate(uv, contents_->patch_points.data(), Contents::kTriple, s.position.data(),
+                   s.du.data(), s.dv.data(), second.uu.data(), second.uv.data(), second.vv.data());
+  for (Point* d : {&s.du, &s.dv}) {
+    for (double& x : *d) x *= scale;
+  }
+  for (Point* d : {&second.uu, &second.uv, &second.vv}) {
+    for (double& x : *d) x *= scale * scale;
+  }
+  s.second = second;
+  return s;
 }
 
 }  // namespace surpass::test

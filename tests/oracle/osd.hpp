@@ -1,6 +1,10 @@
 // OpenSubdiv as a second opinion: refined points and tangents of the given vertices.
 #pragma once
 
+#include <surpass/evaluate.hpp>
+
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "support/meshes.hpp"
@@ -27,5 +31,20 @@ struct OsdJet {
 };
 /// By Bfr, a jet for each face of the mesh that is part of the limit surface.
 std::vector<OsdJet> osd_jets(const Mesh& mesh, const Rules& rules);
+/// The limit surface anywhere by OpenSubdiv's own evaluator (Bfr), with its finest approximation
+/// that is sound: exact at distances of more than about 1/1024 from irregular vertices.
+class OsdSurface {
+ public:
+  OsdSurface(const Mesh& mesh, const Rules& rules);
+  ~OsdSurface();
+  OsdSurface(const OsdSurface&) = delete;
+  OsdSurface& operator=(const OsdSurface&) = delete;
+
+  /// Derivatives by the parameters of the place. Nothing where it refuses the face.
+  [[nodiscard]] std::optional<SurfaceSample> evaluate(const SurfacePlace& place) const;
+
+ private:
+  struct Contents;
+  std::unique_ptr<Contents> contents_;
 
 }  // namespace surpass::test

@@ -1,0 +1,80 @@
+#include "scheme/catmull_clark_vertex_rows.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace surpass::catmull_clark {
+namespace {
+
+// The limit tangent along a spoke of a smooth vertex; for valence 4 the derivative.
+Mask smooth_tangent(const FaceRing& ring, std::size_t spoke) {
+  const std::size_t n = ring.size();
+  if (n == 2) return {};
+  const Tangents t = tangent_masks(ring).front();
+  const auto count = static_cast<double>(n);
+  const double turn = 2 * std::numbers::pi * static_cast<double>(spoke) / count;
+  Mask mask(ring.point_count(), 0.0);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    mask[i] = (std::cos(turn) * t.first[i] + std::sin(turn) * t.second[i]) / (3 * count);
+  }
+  return mask;
+}
+
+// The derivative of the sharp curve that leaves along a spoke: the cubic B-spline of its points,
+// which ends at a corner with the second derivative 0.
+Mask curve_tangent(const FaceRing& ring, std::size_t spoke) {
+  Mask mask(ring.point_count(), 0.0);
+  if (ring.rule() == VertexRule::corner) {
+    mask[0] = -1;
+    mask[1 + spoke] = 1;
+    return mask;
+  }
+  for (const std::size_t j : ring.sharp_spokes()) mask[1 + j] = j == spoke ? 0.5 : -0.5;
+  return mask;
+}
+
+Mask spoke_tangent(const FaceRing& ring, std::size_t spoke) {
+  const VertexRule rule = ring.rule();
+  if (rule == VertexRule::smooth) return smooth_tangent(ring, spoke);
+  if (rule == VertexRule::dart || ring.spoke_sharpness[spoke] <= 0) return {};
+  return curve_tangent(ring, spoke);
+}
+
+// The tangents of the sector that the face lies in; of a corner's sector without a tangent plane,
+// those of the face itself.
+Tangents plane(const RingPlace& corner) {
+  const FaceRing& ring = corner.ring;
+  const VertexRule rule = ring.rule();
+  const std::vector<Tangents> all = tangent_masks(ring);
+  if (rule == VertexRule::smooth || rule == VertexRule::dart) return all.front();
+  const std::size_t n = ring.size();
+  std::size_t at = 0;
+  for (const Sector& sector : sectors(ring)) {
+    const bool by_face = rule == VertexRule::corner && sector.faces > 2;
+    const std::size_t offset = (corner.face + n - sector.begin) % n;
+    if (offset < sector.faces) return all[at + (by_face ? offset : 0)];
+    at += by_face ? sector.faces : 1;
+  }
+  return all.front();
+}
+
+}  // namespace
+
+PlaceRows vertex_rows(const RingPlace& corner, std::size_t points) {
+  const FaceRing& ring = corner.ring;
+  const auto spread = [&](const Mask& mask) {
+    Mask wide(mask.empty() ? 0 : points, 0.0);
+    for (std::size_t i = 0; i < mask.size(); ++i) wide[ring.columns[i]] += mask[i];
+    return wide;
+  };
+  PlaceRows rows;
+  rows.position = spread(limit_mask(ring));
+  rows.du = spread(spoke_tangent(ring, corner.face));
+  rows.dv = spread(spoke_tangent(ring, corner.next_spoke()));
+  const Tangents t = plane(corner);
+  rows.tangent_u = spread(t.first);
+  rows.tangent_v = spread(t.second);
+  return rows;
+}
+
+}  // namespace surpass::catmull_clark

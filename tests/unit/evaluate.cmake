@@ -1,0 +1,1 @@
+surpass_test(evaluate_test SOURCES evaluate_test.cpp evaluate_stencil_test.cpp LABELS unit)
