@@ -1,5 +1,6 @@
-# `cmake --install` and the package: find_package(surpass [COMPONENTS oracle render]) gives
-# surpass::surpass, and surpass::oracle and surpass::render where they were built.
+# `cmake --install` and the package: find_package(surpass [COMPONENTS oracle render reconstruct])
+# gives surpass::surpass, and surpass::oracle, surpass::render and surpass::reconstruct where they were
+# built.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(SURPASS_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/surpass)
@@ -13,7 +14,7 @@ endfunction()
 
 set(SURPASS_ABSENT_HEADERS)
 surpass_install_library(surpass surpass)
-foreach(component oracle render)
+foreach(component oracle render reconstruct)
   if(TARGET surpass_${component})
     surpass_install_library(surpass_${component} ${component})
   else()

@@ -4,10 +4,10 @@
 set -euo pipefail
 
 compile=(g++ cmake ninja-build libtbb-dev libeigen3-dev libfast-float-dev libfmt-dev libcli11-dev
-         nlohmann-json3-dev libexpected-dev libosd-dev libembree-dev libpng-dev)
-testing=(libgtest-dev librapidcheck-dev libcgal-dev libvalijson-dev python3)
-rivals=(libbenchmark-dev libopenmesh-dev libtinyobjloader-dev libsuitesparse-dev libcgal-dev
-        libassimp-dev)
+         nlohmann-json3-dev libexpected-dev libosd-dev libembree-dev libpng-dev
+         libcgal-dev libnanoflann-dev)
+testing=(libgtest-dev librapidcheck-dev libvalijson-dev python3)
+rivals=(libbenchmark-dev libopenmesh-dev libtinyobjloader-dev libsuitesparse-dev libassimp-dev)
 
 job=${1:?usage: tools/install.sh demo|build|test|papers|bench|counts|format|lint|ci}
 case $job in

@@ -34,7 +34,7 @@ class Command {
 struct CommandEntry {
   const char* name;
   const char* summary;  ///< one line for `surpass --help`
-  std::unique_ptr<Command> (*make)();
+  std::unique_ptr<Command> (*make)();  ///< nullptr: the program surpass-NAME is the command
 };
 
 /// Every subcommand, in the order of `surpass --help`.

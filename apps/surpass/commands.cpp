@@ -17,6 +17,8 @@ std::span<const CommandEntry> commands() {
       {"interpolate", "find the control mesh whose limit surface passes through every vertex",
        make_interpolate},
       {"predict", "how many sweeps an interpolation will need, by the proven bound", make_predict},
+      {"reconstruct", "from a cloud of points to a mesh, and a smooth surface through its vertices",
+       nullptr},
       {"subdivide", "refine a control mesh, and move it onto its limit surface", make_subdivide},
       {"check", "does a control mesh's limit surface pass through the given vertices?", make_check},
       {"inspect", "counts, boundaries, valences, creases, and what would be refused", make_inspect},

@@ -63,14 +63,34 @@ void add_from(Options& options, Format& format, const std::string& description) 
       .group("Input");
 }
 
-Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {
-  Result<LoadedMesh> loaded = session.timed("read", [&] { return read_mesh(path, format); });
+void add_from_points(Options& options, Format& format, const std::string& description) {
+  options
+      .choice("--from", format, {Format::ply, Format::xyz, Format::obj, Format::off, Format::stl},
+              description)
+      .group("Input");
+}
+
+namespace {
+
+Result<LoadedMesh> load(const std::string& path, Format format, Session& session,
+                        Result<LoadedMesh> (*read)(const std::string&, Format)) {
+  Result<LoadedMesh> loaded = session.timed("read", [&] { return read(path, format); });
   if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
   if (!loaded && loaded.error().code == ErrorCode::unknown_format) {
     loaded.error().message += "; name it with --from";
   }
   if (loaded) session.console.notes(loaded->notices);
   return loaded;
+}
+
+}  // namespace
+
+Result<LoadedMesh> load_points(const std::string& path, Format format, Session& session) {
+  return load(path, format, session, read_points);
+}
+
+Result<LoadedMesh> load_mesh(const std::string& path, Format format, Session& session) {
+  return load(path, format, session, read_mesh);
 }
 
 Json mesh_json(const std::string& path, const Mesh& mesh) {

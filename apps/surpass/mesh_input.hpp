@@ -44,6 +44,13 @@ class MeshInput {
 /// --from alone, for commands with two inputs, where it is the format of the one that is '-'.
 void add_from(Options& options, Format& format, const std::string& description);
 
+/// The same for points, which XYZ files hold too.
+void add_from_points(Options& options, Format& format, const std::string& description);
+
+/// Reads points as load_mesh reads a mesh.
+[[nodiscard]] Result<LoadedMesh> load_points(const std::string& path, Format format,
+                                             Session& session);
+
 /// Reads a mesh, prints the reader's notices and adds the time to seconds.read.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, Format format,
                                            Session& session);

@@ -1,4 +1,5 @@
-// Meshes from files and into files: OBJ, PLY, OFF, STL. Nothing is lost without a word.
+// Meshes and points from files and into files: OBJ, PLY, OFF, STL, XYZ. Nothing is lost without a
+// word.
 #pragma once
 
 #include <surpass/mesh.hpp>
@@ -9,7 +10,9 @@
 
 namespace surpass {
 
-enum class Format { automatic, obj, ply, off, stl };
+/// XYZ has points only: a line a point, with normals or colours behind the position. Files named
+/// .pwn (points with normals) and .pts are read as such.
+enum class Format { automatic, obj, ply, off, stl, xyz };
 
 /// Layout of a binary or text PLY or STL file.
 enum class Encoding { automatic, ascii, little_endian, big_endian };
@@ -30,6 +33,15 @@ struct LoadedMesh {
 /// The same for bytes in memory; `name` stands for the file in errors.
 [[nodiscard]] Result<LoadedMesh> parse_mesh(std::string_view bytes, Format format,
                                             const std::string& name);
+
+/// Reads the points of a file in any format, with their channels; faces are left out, and a notice
+/// says so. As scanners write them where nothing was seen, numbers may be NaN or infinite here.
+[[nodiscard]] Result<LoadedMesh> read_points(const std::string& path,
+                                             Format format = Format::automatic);
+
+/// The same for bytes in memory.
+[[nodiscard]] Result<LoadedMesh> parse_points(std::string_view bytes, Format format,
+                                              const std::string& name);
 
 struct WriteOptions {
   Format format = Format::automatic;        ///< automatic: from the path's ending

@@ -17,7 +17,10 @@ constexpr FormatName kNames[] = {{Format::automatic, "automatic"},
                                  {Format::obj, "obj"},
                                  {Format::ply, "ply"},
                                  {Format::off, "off"},
-                                 {Format::stl, "stl"}};
+                                 {Format::stl, "stl"},
+                                 {Format::xyz, "xyz"},
+                                 {Format::xyz, "pwn"},
+                                 {Format::xyz, "pts"}};
 
 std::string lower_case(std::string_view text) {
   std::string result(text);

@@ -79,7 +79,7 @@ class PlyBytes {
     value = with_type(type, [place](auto zero) {
       return static_cast<double>(load<decltype(zero), kSwapped>(place));
     });
-    return std::isfinite(value) ||
+    return std::isfinite(value) || scan_.allows_not_finite() ||
            fail(ErrorCode::not_finite,
                 fmt::format("{} is {}; only finite numbers can be used, correct or remove it", name,
                             std::isnan(value) ? "NaN" : "infinite"),

@@ -24,7 +24,7 @@ Result<Format> detect(std::string_view bytes, const std::string& name,
   if (by_name == Format::automatic && by_bytes == Format::automatic) {
     return fail(ErrorCode::unknown_format,
                 "neither the name nor the first bytes show a format that is known (OBJ, PLY, OFF, "
-                "STL)",
+                "STL; XYZ by its name)",
                 {.file = name});
   }
   if (by_bytes == Format::automatic) return by_name;
@@ -41,14 +41,14 @@ bool read_format(Format format, io::Scanner& scan, LoadedMesh& out) {
     case Format::ply: return io::read_ply(scan, out);
     case Format::off: return io::read_off(scan, out);
     case Format::stl: return io::read_stl(scan, out);
+    case Format::xyz: return io::read_xyz(scan, out);
     case Format::automatic: break;
   }
   return scan.fail_as_a_whole(ErrorCode::unknown_format, "no format is named");
 }
 
-}  // namespace
-
-Result<LoadedMesh> parse_mesh(std::string_view bytes, Format format, const std::string& name) {
+Result<LoadedMesh> parse(std::string_view bytes, Format format, const std::string& name,
+                         bool points_only) {
   if (bytes.empty()) {
     return fail(ErrorCode::unexpected_end, "the file is empty", {.file = name});
   }
@@ -65,9 +65,11 @@ Result<LoadedMesh> parse_mesh(std::string_view bytes, Format format, const std::
     format = *detected;
   }
   out.format = format;
-  const bool has_comments = format == Format::obj || format == Format::off;
+  const bool has_comments =
+      format == Format::obj || format == Format::off || format == Format::xyz;
   io::Scanner scan(bytes, name, has_comments ? '#' : '\n');
   scan.advance(skipped);
+  if (points_only) scan.allow_not_finite();
   if (!read_format(format, scan, out)) return tl::make_unexpected(scan.error());
   if (out.mesh.points.empty()) {
     return fail(ErrorCode::empty_mesh, "there are no vertices in the file", {.file = name});
@@ -75,10 +77,45 @@ Result<LoadedMesh> parse_mesh(std::string_view bytes, Format format, const std::
   return out;
 }
 
+// What lies on faces goes with them.
+void keep_points_only(LoadedMesh& loaded) {
+  Mesh& mesh = loaded.mesh;
+  if (mesh.face_count() > 0) {
+    loaded.notices.push_back(
+        fmt::format("only the points are used; {} faces are left out", mesh.face_count()));
+  }
+  Mesh points;
+  points.points = std::move(mesh.points);
+  points.channels = std::move(mesh.channels);
+  mesh = std::move(points);
+}
+
+std::string name_in_errors(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
+}  // namespace
+
+Result<LoadedMesh> parse_mesh(std::string_view bytes, Format format, const std::string& name) {
+  return parse(bytes, format, name, false);
+}
+
+Result<LoadedMesh> parse_points(std::string_view bytes, Format format, const std::string& name) {
+  Result<LoadedMesh> loaded = parse(bytes, format, name, true);
+  if (loaded) keep_points_only(*loaded);
+  return loaded;
+}
+
+Result<LoadedMesh> read_points(const std::string& path, Format format) {
+  const Result<io::Bytes> bytes = io::read_bytes(path);
+  if (!bytes) return tl::make_unexpected(bytes.error());
+  return parse_points(bytes->view(), format, name_in_errors(path));
+}
+
 Result<LoadedMesh> read_mesh(const std::string& path, Format format) {
   const Result<io::Bytes> bytes = io::read_bytes(path);
   if (!bytes) return tl::make_unexpected(bytes.error());
-  return parse_mesh(bytes->view(), format, path == "-" ? "standard input" : path);
+  return parse_mesh(bytes->view(), format, name_in_errors(path));
 }
 
 }  // namespace surpass

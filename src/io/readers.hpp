@@ -11,6 +11,7 @@ namespace surpass::io {
 [[nodiscard]] bool read_ply(Scanner& scan, LoadedMesh& out);
 [[nodiscard]] bool read_off(Scanner& scan, LoadedMesh& out);
 [[nodiscard]] bool read_stl(Scanner& scan, LoadedMesh& out);
+[[nodiscard]] bool read_xyz(Scanner& scan, LoadedMesh& out);
 
 /// True if the bytes are a binary STL file, which has no mark of its own.
 [[nodiscard]] bool is_binary_stl(std::string_view bytes);

@@ -29,6 +29,10 @@ class Scanner {
         name_(name),
         comment_(comment) {}
 
+  /// Takes "nan" and "inf" for numbers too; binary readers ask for it as well.
+  void allow_not_finite() { not_finite_ = true; }
+  [[nodiscard]] bool allows_not_finite() const { return not_finite_; }
+
   // Place.
   [[nodiscard]] bool done() const { return at_ == end_; }
   [[nodiscard]] const char* at() const { return at_; }
@@ -76,7 +80,8 @@ class Scanner {
     const char* start = at_;
     const char* digits = start + (peek() == '+' && peek(1) != '-' ? 1 : 0);
     const auto [stop, failure] = fast_float::from_chars(digits, end_, value);
-    if (failure != std::errc() || !ends_word(stop) || !std::isfinite(value)) {
+    if (failure != std::errc() || !ends_word(stop) ||
+        (!std::isfinite(value) && !not_finite_)) {
       return refuse_number(what);
     }
     at_ = stop;
@@ -145,6 +150,7 @@ class Scanner {
   const char* at_;
   std::string name_;
   char comment_;
+  bool not_finite_ = false;
   Error error_;
 };
 

@@ -108,6 +108,7 @@ Result<void> write_format(const Mesh& mesh, const WriteOptions& options, std::st
     case Format::ply: return io::write_ply(mesh, options, bytes, notes);
     case Format::off: return io::write_off(mesh, options, bytes, notes);
     case Format::stl: return io::write_stl(mesh, options, bytes, notes);
+    case Format::xyz: return io::write_xyz(mesh, options, bytes, notes);
     case Format::automatic: break;
   }
   return fail(ErrorCode::unknown_format,

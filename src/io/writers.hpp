@@ -19,6 +19,8 @@ using Notes = std::vector<std::string>;
                                      std::string& bytes, Notes& notes);
 [[nodiscard]] Result<void> write_stl(const Mesh& mesh, const WriteOptions& options,
                                      std::string& bytes, Notes& notes);
+[[nodiscard]] Result<void> write_xyz(const Mesh& mesh, const WriteOptions& options,
+                                     std::string& bytes, Notes& notes);
 
 /// The vertex channel of this name if its columns are as wanted, else nullptr.
 [[nodiscard]] const Channel* find_channel(const Mesh& mesh, std::string_view name,

@@ -14,6 +14,7 @@ MAY_INCLUDE = {
     'io': ['parallel', 'mesh'],
     'oracle': ['parallel'],
     'render': ['parallel'],
+    'reconstruct': ['parallel', 'mesh', 'scheme', 'interpolate', 'quality'],
 }
 # Public headers follow the same order, so that src/mesh cannot reach schemes through them.
 PUBLIC_LAYER = {
@@ -21,11 +22,13 @@ PUBLIC_LAYER = {
     'mesh': 'mesh', 'topology': 'mesh', 'repair': 'mesh',
     'scheme': 'scheme', 'refiner': 'scheme', 'evaluate': 'scheme', 'interpolate': 'interpolate',
     'similarity': 'interpolate', 'quality': 'quality', 'fairness': 'quality', 'io': 'io',
-    'oracle': 'oracle', 'render': 'render',
+    'oracle': 'oracle', 'render': 'render', 'reconstruct': 'reconstruct',
 }
 OUTSIDE = ['apps', 'bindings', 'examples']  # public headers and their own files only
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 TBB = re.compile(r'\btbb::|[<"](tbb|oneapi)/')
+CGAL = re.compile(r'[<"]CGAL/')
+CGAL_FOLDERS = ['src/reconstruct']  # under the GPL; nothing else may be
 
 
 def sources(folder):
@@ -76,6 +79,8 @@ def check(root):
         found += [f'{name}:{n}: may not include {h}: {why}' for n, h, why in breaches_of(layer, text)]
         if layer != 'parallel' and TBB.search(text):
             found.append(f'{name}: names TBB, which only src/parallel may')
+        if CGAL.search(text) and str(name.parent) not in CGAL_FOLDERS:
+            found.append(f'{name}: includes CGAL, which is under the GPL: only src/reconstruct may')
     for folder in sorted(p.name for p in (root / 'src').iterdir() if p.is_dir()):
         if folder not in MAY_INCLUDE:
             found.append(f'src/{folder}: tell tests/layers/includes.py what it may include')

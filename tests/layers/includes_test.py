@@ -1,6 +1,6 @@
 """The check of layers finds what it is for: every line here but the last few is a breach."""
 
-from includes import TBB, breaches_of
+from includes import CGAL, TBB, breaches_of
 
 BREACHES = [
     ('parallel', '#include "mesh/edge_table.hpp"'),
@@ -14,6 +14,8 @@ BREACHES = [
     ('io', '#include "interpolate/solvers.hpp"'),
     ('oracle', '#include "scheme/loop.hpp"'),
     ('render', '# include "mesh/edge_table.hpp"'),
+    ('quality', '#include <surpass/reconstruct.hpp>'),
+    ('reconstruct', '#include "io/scanner.hpp"'),
     ('apps', '#include "mesh/edge_table.hpp"'),
 ]
 ALLOWED = [
@@ -24,6 +26,8 @@ ALLOWED = [
     ('io', '#include "io/scanner.hpp"'),
     ('oracle', '#include <surpass/quality.hpp>'),
     ('render', '#include "render/camera.hpp"'),
+    ('reconstruct', '#include "quality/triangle_tree.hpp"'),
+    ('reconstruct', '#include <surpass/quality.hpp>'),
     ('apps', '#include <surpass/surpass.hpp>'),
     ('apps', '#include "command.hpp"'),
 ]
@@ -35,3 +39,5 @@ for layer, line in ALLOWED:
 assert TBB.search('tbb::parallel_for(0, n, body);')
 assert TBB.search('#include <tbb/parallel_for.h>')
 assert not TBB.search('// a std::thread backend beside TBB')
+assert CGAL.search('#include <CGAL/spatial_sort.h>')
+assert not CGAL.search('// CGAL may be named')

@@ -308,7 +308,8 @@ TEST(Refused, WholeFiles) {
   }
   expect_refused({
       {Format::automatic, "1 2 3\n", ErrorCode::unknown_format,
-       "f: neither the name nor the first bytes show a format that is known (OBJ, PLY, OFF, STL)"},
+       "f: neither the name nor the first bytes show a format that is known (OBJ, PLY, OFF, STL; "
+       "XYZ by its name)"},
       {Format::obj, "# nothing\n", ErrorCode::empty_mesh, "f: there are no vertices in the file"},
       {Format::off, "OFF\n0 0 0\n", ErrorCode::empty_mesh, "f: there are no vertices in the file"},
       {Format::stl, "solid a\nendsolid a", ErrorCode::empty_mesh,

@@ -122,7 +122,7 @@ std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules) {
 
 struct OsdSurface::Contents {
   Contents(const Mesh& mesh, const Rules& rules)
-      : points(mesh.points), refiner(base_of(mesh, rules)), factory(*refiner, options()) {}
+      : points(mesh.points), refiner(osd_refiner(mesh, rules, 0)), factory(*refiner, options()) {}
 
   static Bfr::SurfaceFactory::Options options() {
     constexpr int kFinest = 10;  // beyond, its patches with two irregular corners are wrong

@@ -8,6 +8,9 @@
 #ifdef SURPASS_RENDER
 #include <surpass/render.hpp>
 #endif
+#ifdef SURPASS_RECONSTRUCT
+#include <surpass/reconstruct.hpp>
+#endif
 
 #include <array>
 #include <cmath>
@@ -56,6 +59,10 @@ int main() {
   small.width = small.height = 32;
   const auto image = surpass::render(given, small);
   require(image.has_value() && image->pixels.size() == 32 * 32 * 3, "no picture was drawn");
+#endif
+#ifdef SURPASS_RECONSTRUCT
+  const auto found = surpass::reconstruct(given.points);
+  require(found.has_value() && found->mesh.face_count() == 8, "six points are no octahedron");
 #endif
   std::printf("Surpass %s: every control point is 55/24 of its vertex\n", surpass::kVersion);
   return 0;

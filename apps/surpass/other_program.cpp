@@ -1,0 +1,43 @@
+#include "other_program.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace surpass::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path beside_this_program(const std::string& name) {
+  std::error_code failed;
+  const fs::path self = fs::read_symlink("/proc/self/exe", failed);
+  return failed ? fs::path() : self.parent_path() / name;
+}
+
+}  // namespace
+
+bool has_other_program(const CommandEntry& entry) {
+  return access(beside_this_program(fmt::format("surpass-{}", entry.name)).c_str(), X_OK) == 0;
+}
+
+int run_other_program(const CommandEntry& entry, const std::vector<std::string>& words) {
+  const std::string name = fmt::format("surpass-{}", entry.name);
+  std::vector<std::string> arguments = {name};
+  arguments.insert(arguments.end(), words.begin(), words.end());
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  execv(beside_this_program(name).c_str(), pointers.data());
+  execvp(name.c_str(), pointers.data());
+  Console().error(
+      fmt::format("'{}' is a program of its own, {}, which is neither beside surpass nor on the "
+                  "PATH; build Surpass with CGAL and nanoflann there (Debian: libcgal-dev "
+                  "libnanoflann-dev)",
+                  entry.name, name));
+  return exit_status(ErrorCode::not_built_in);
+}
+
+}  // namespace surpass::cli

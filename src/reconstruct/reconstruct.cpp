@@ -1,0 +1,433 @@
+// The steps from points to a mesh, in their order. What each does and why is in its own file.
+#include <surpass/reconstruct.hpp>
+#include <surpass/repair.hpp>
+#include <surpass/topology.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "reconstruct/advancing_front.hpp"
+#include "reconstruct/clean_up.hpp"
+#include "reconstruct/cloud.hpp"
+#include "reconstruct/features.hpp"
+#include "reconstruct/simplify.hpp"
+
+namespace surpass {
+namespace {
+
+using namespace reconstruction;  // NOLINT(google-build-using-namespace): our own parts
+
+constexpr double kSmoothFrom = 0.15;     // noise in spacings
+constexpr double kSmoothTwiceFrom = 0.5;
+constexpr double kOriginalBelow = 0.3;
+constexpr double kSheetsMayJoin = 1.5;   // spacings
+constexpr double kBoundWithOutliers = 8;
+constexpr double kSmallPiece = 0.005;    // of the faces
+constexpr std::size_t kBytesAPoint = 1700;
+constexpr char kSource[] = "source";     // a channel while vertices change their numbers
+
+Result<void> check(const ReconstructOptions& options) {
+  const auto refuse = [](const char* what) {
+    return fail(ErrorCode::invalid_argument, std::string(what));
+  };
+  if (options.perimeter && !(*options.perimeter >= 0)) {
+    return refuse("the bound of perimeters must not be negative");
+  }
+  if (options.tolerance && !(*options.tolerance > 0)) {
+    return refuse("the tolerance of a simplification must be positive");
+  }
+  if (options.vertices && *options.vertices < 4) {
+    return refuse("a simplified mesh needs at least four vertices");
+  }
+  if (options.feature_angle && !(*options.feature_angle > 0 && *options.feature_angle < 180)) {
+    return refuse("the feature angle must be between 0 and 180 degrees");
+  }
+  return {};
+}
+
+Result<void> check_memory(std::size_t points) {
+  const double needed = static_cast<double>(points) * kBytesAPoint;
+  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                       static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed <= 0.9 * there) return {};
+  return fail(ErrorCode::too_large,
+              fmt::format("{} points need about {:.1f} GB of memory, but there are {:.1f} GB; take "
+                          "fewer points",
+                          points, needed / 1e9, there / 1e9));
+}
+
+class Run {
+ public:
+  Run(std::span<const Point> points, std::span<const Channel> channels,
+      const ReconstructOptions& options, const Context& context)
+      : given_(points), channels_(channels), options_(options), context_(context) {}
+
+  Result<Reconstruction> run() {
+    for (const auto step : {&Run::clean_points, &Run::leave_out_outliers, &Run::measure,
+                            &Run::smooth_points, &Run::connect, &Run::clean_mesh,
+                            &Run::simplify_mesh, &Run::finish}) {
+      if (const auto done = (this->*step)(); !done) return tl::make_unexpected(done.error());
+    }
+    warn();
+    return std::move(result_);
+  }
+
+ private:
+  Result<void> clean_points();
+  Result<void> leave_out_outliers();
+  Result<void> measure();
+  Result<void> smooth_points();
+  Result<void> connect();
+  Result<void> clean_mesh();
+  Result<void> make_manifold();
+  Result<void> simplify_mesh();
+  Result<Mesh> simplify_within_tolerance(Features& features);
+  Result<void> measure_polyhedron(const Mesh& simple);
+  Result<void> finish();
+  void note_unused();
+  void carry_channels();
+  void count_parts();
+  void warn();
+  [[nodiscard]] std::vector<Point> given_normals() const;
+  [[nodiscard]] ReconstructReport& report() { return result_.report; }
+
+  std::span<const Point> given_;
+  std::span<const Channel> channels_;
+  const ReconstructOptions& options_;
+  const Context& context_;
+  Cloud cloud_;
+  double spacing_ = 0;           // in the cloud's box, as all lengths here
+  double share_of_sheets_ = 0;
+  std::vector<Point> smoothed_;  // empty if they are not
+  Mesh mesh_;                    // its points are in the cloud's box
+  Features features_;
+  Reconstruction result_;
+};
+
+Result<void> Run::clean_points() {
+  context_.report({.stage = "clean"});
+  Result<Cloud> cloud = clean(given_);
+  if (!cloud) return tl::make_unexpected(cloud.error());
+  cloud_ = std::move(*cloud);
+  report().points = given_.size();
+  report().not_finite = cloud_.not_finite;
+  report().duplicates = cloud_.duplicates;
+  report().box_side = cloud_.box_side;
+  return check_memory(cloud_.points.size());
+}
+
+Result<void> Run::leave_out_outliers() {
+  if (options_.outliers == Choice::off) return {};
+  const Neighbours neighbours(cloud_.points);
+  const Result<double> spacing = spacing_of(cloud_, neighbours, context_);
+  if (!spacing) return tl::make_unexpected(spacing.error());
+  auto found = find_outliers(cloud_, neighbours, *spacing, options_.outliers == Choice::on,
+                             context_);
+  if (!found) return tl::make_unexpected(found.error());
+  report().outliers = static_cast<std::size_t>(std::count(found->begin(), found->end(), 1));
+  if (report().outliers == 0) return {};
+  if (cloud_.points.size() - report().outliers < 4) {
+    return fail(ErrorCode::empty_mesh, "all points stand alone; try without leaving out outliers");
+  }
+  for (unsigned char& f : *found) f = f == 0 ? 1 : 0;
+  cloud_ = subset(cloud_, *found);
+  return {};
+}
+
+Result<void> Run::measure() {
+  const Neighbours neighbours(cloud_.points);
+  const Result<double> spacing = spacing_of(cloud_, neighbours, context_);
+  if (!spacing) return tl::make_unexpected(spacing.error());
+  spacing_ = *spacing;
+  const Result<Roughness> rough = roughness_of(cloud_, neighbours, spacing_, context_);
+  if (!rough) return tl::make_unexpected(rough.error());
+  share_of_sheets_ = rough->share_of_sheets;
+  report().spacing = spacing_;
+  report().noise = rough->noise;
+  report().sheet_gap = rough->sheet_gap;
+  return {};
+}
+
+Result<void> Run::smooth_points() {
+  // Smoothing would pull two sheets that near into one.
+  constexpr double kManySheets = 0.2;
+  const double noise = report().noise;
+  const bool needed = noise > kSmoothFrom && share_of_sheets_ < kManySheets;
+  const bool wanted = options_.smoothing == Choice::on ||
+                      (options_.smoothing == Choice::automatic && needed);
+  if (!wanted || cloud_.points.size() < 7) return {};
+  report().smoothing_passes = noise > kSmoothTwiceFrom ? 3 : 1;
+  Result<std::vector<Point>> moved = smooth(cloud_, report().smoothing_passes, context_);
+  if (!moved) return tl::make_unexpected(moved.error());
+  smoothed_ = std::move(*moved);
+  report().smoothed_positions =
+      options_.positions == Positions::smoothed ||
+      (options_.positions == Positions::automatic && noise >= kOriginalBelow);
+  return {};
+}
+
+Result<void> Run::connect() {
+  report().perimeter = options_.perimeter.value_or(report().outliers > 0 ? kBoundWithOutliers : 0);
+  const auto triangles = advancing_front(smoothed_.empty() ? cloud_.points : smoothed_,
+                                         report().perimeter * spacing_, context_);
+  if (!triangles) return tl::make_unexpected(triangles.error());
+  if (triangles->empty()) {
+    return fail(ErrorCode::unsuitable_for_scheme,
+                "the points span no surface: they lie on one line, or too far apart for the bound "
+                "of the perimeter");
+  }
+  mesh_.points = report().smoothed_positions ? smoothed_ : cloud_.points;
+  for (const auto& triangle : *triangles) mesh_.add_face(triangle);
+  Channel source{kSource, {kSource}, {}};
+  for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
+    source.values.push_back(static_cast<double>(v));
+  }
+  mesh_.channels = {std::move(source)};
+  return {};
+}
+
+// The front's triangles always were so far, but nothing proves it.
+Result<void> Run::make_manifold() {
+  if (Topology::build(mesh_)) return {};
+  Mended mended = repair(mesh_);
+  for (const std::string& sentence : mended.done) report().warnings.push_back(sentence);
+  mesh_ = std::move(mended.mesh);
+  const auto topology = Topology::build(mesh_);
+  return topology ? Result<void>() : tl::make_unexpected(topology.error());
+}
+
+Result<void> Run::clean_mesh() {
+  const double faces = mesh_.face_count();
+  const bool rough = report().outliers > 0 || report().noise > kOriginalBelow;
+  report().dropped_pieces =
+      drop_small_pieces(mesh_, rough ? kSmallPiece : std::min(kSmallPiece, 10 / faces));
+  if (const auto made = make_manifold(); !made) return made;
+  const Mesh unfilled = mesh_;
+  Result<Holes> holes = fill_holes(mesh_, options_.close, context_);
+  if (!holes) return tl::make_unexpected(holes.error());
+  if (holes->filled > 0 && !Topology::build(mesh_)) {  // a loop through a vertex twice, perhaps
+    mesh_ = unfilled;
+    holes = Holes{0, holes->filled + holes->left};
+  }
+  report().filled_loops = holes->filled;
+  report().open_loops = holes->left;
+  mesh_ = drop_isolated_vertices(mesh_).mesh;
+  orient_pieces(mesh_, given_normals());
+  report().full_vertices = mesh_.vertex_count();
+  note_unused();
+  return {};
+}
+
+// Of the mesh's vertices, where every point came with one.
+std::vector<Point> Run::given_normals() const {
+  for (const Channel& channel : channels_) {
+    if (channel.name != "normal" || channel.width() != 3) continue;
+    std::vector<Point> normals;
+    for (const double v : mesh_.channels.front().values) {
+      const double* n = &channel.values[3 * cloud_.source[static_cast<std::size_t>(v)]];
+      if (!std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2])) return {};
+      normals.push_back({n[0], n[1], n[2]});
+    }
+    return normals;
+  }
+  return {};
+}
+
+void Run::note_unused() {
+  std::vector<unsigned char> used(given_.size(), 0);
+  for (const double v : mesh_.channels.front().values) {
+    used[cloud_.source[static_cast<std::size_t>(v)]] = 1;
+  }
+  const Result<Cloud> all = clean(given_);
+  for (const Index i : all->source) {
+    if (used[i] == 0) result_.unused.push_back(i);
+  }
+  report().unused = result_.unused.size();
+}
+
+Result<void> Run::simplify_mesh() {
+  const auto topology = Topology::build(mesh_);
+  if (!topology) return tl::make_unexpected(topology.error());
+  if (options_.feature_angle) {
+    features_ = find_features(mesh_, *topology, *options_.feature_angle);
+  }
+  if (!options_.tolerance && !options_.vertices) return {};
+  Result<Mesh> simple =
+      options_.tolerance ? simplify_within_tolerance(features_)
+                         : simplify(mesh_, features_, {.vertices = options_.vertices}, context_);
+  if (!simple) return tl::make_unexpected(simple.error());
+  if (const auto measured = measure_polyhedron(*simple); !measured) return measured;
+  mesh_ = std::move(*simple);
+  return {};
+}
+
+Result<void> Run::measure_polyhedron(const Mesh& simple) {
+  const Result<PointDistances> found = point_distances(mesh_.points, simple, context_);
+  if (!found) return tl::make_unexpected(found.error());
+  report().polyhedron_max = found->max;
+  report().polyhedron_rms = found->rms;
+  return {};
+}
+
+// The quadrics' cost keeps the tolerance as a rule; the distances say whether it did. Where not, a
+// lower cost is tried, and in the end none, which leaves every point a vertex.
+Result<Mesh> Run::simplify_within_tolerance(Features& features) {
+  constexpr int kTries = 6;
+  constexpr double kRounding = 1e-14;  // of the distances, in a box of side 1
+  const double tolerance = *options_.tolerance;
+  double cost = tolerance * tolerance;
+  const Features all = features;
+  for (int attempt = 0; attempt < kTries; ++attempt) {
+    features = all;
+    Result<Mesh> simple =
+        simplify(mesh_, features, {.cost = cost, .vertices = options_.vertices}, context_);
+    if (!simple) return simple;
+    const Result<PointDistances> found = point_distances(mesh_.points, *simple, context_);
+    if (!found) return tl::make_unexpected(found.error());
+    if (found->max <= tolerance - kRounding) return simple;
+    cost *= std::pow(0.7 * tolerance / found->max, 2);
+  }
+  features = all;
+  return mesh_;
+}
+
+void Run::carry_channels() {
+  for (const Channel& channel : channels_) {
+    const std::size_t width = channel.width();
+    Channel carried{channel.name, channel.parts, {}, channel.storage};
+    carried.values.reserve(result_.source.size() * width);
+    for (const Index i : result_.source) {
+      const auto row = channel.values.begin() + static_cast<std::ptrdiff_t>(i * width);
+      carried.values.insert(carried.values.end(), row, row + static_cast<std::ptrdiff_t>(width));
+    }
+    result_.mesh.channels.push_back(std::move(carried));
+  }
+}
+
+Result<void> Run::finish() {
+  Mesh& mesh = result_.mesh;
+  for (const auto& edge : features_.creases) mesh_.creases.push_back({edge, kInfinitelySharp});
+  for (const Index v : features_.corners) mesh_.corners.push_back({v, kInfinitelySharp});
+  mesh = drop_isolated_vertices(mesh_).mesh;
+  const Box box = [&] {
+    std::vector<Point> finite;
+    for (const Index i : cloud_.source) finite.push_back(given_[i]);
+    return bounding_box(finite);
+  }();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const auto own = static_cast<std::size_t>(mesh.channels.front().values[v]);
+    result_.source.push_back(cloud_.source[own]);
+    Point& p = mesh.points[v];
+    if (!report().smoothed_positions) p = given_[cloud_.source[own]];
+    for (std::size_t k = 0; report().smoothed_positions && k < 3; ++k) {
+      p[k] = box.low[k] + cloud_.box_side * p[k];
+    }
+  }
+  mesh.channels.clear();
+  carry_channels();
+  count_parts();
+  return {};
+}
+
+void Run::count_parts() {
+  const Mesh& mesh = result_.mesh;
+  report().creases = mesh.creases.size();
+  report().corners = mesh.corners.size();
+  const auto topology = Topology::build(mesh);
+  if (!topology) return;
+  report().pieces = find_components(*topology).count;
+  report().open_loops = boundary_loops(*topology).size();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (topology->is_bowtie(v)) return;
+  }
+  const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
+  const std::int64_t euler =
+      count(mesh.vertex_count()) - count(topology->edge_count()) + count(mesh.face_count());
+  const std::int64_t handles =
+      (2 * count(report().pieces) - count(report().open_loops) - euler) / 2;
+  report().genus = static_cast<std::size_t>(handles);
+}
+
+void Run::warn() {
+  std::vector<std::string>& warnings = report().warnings;
+  const ReconstructReport& r = report();
+  if (r.sheet_gap && share_of_sheets_ > 0.02 && *r.sheet_gap < kSheetsMayJoin) {
+    warnings.push_back(fmt::format(
+        "parts of the surface seem to lie {:.2f} spacings apart ({:.0f} % of the points are near a "
+        "second sheet); below 1.5 they may be joined, so look at the mesh, or sample more densely",
+        *r.sheet_gap, 100 * share_of_sheets_));
+  }
+  if (r.noise > kOriginalBelow) {
+    warnings.push_back(fmt::format(
+        "the points scatter by {:.2f} spacings about the surface, more than 0.3: fine detail is "
+        "lost, and handles or holes may be wrong",
+        r.noise));
+  }
+  const double share = static_cast<double>(r.unused) /
+                       static_cast<double>(r.points - r.not_finite - r.duplicates);
+  if (share > 0.005) {
+    warnings.push_back(fmt::format("{} points ({:.1f} %) are not used by the mesh, of them {} as "
+                                   "outliers",
+                                   r.unused, 100 * share, r.outliers));
+  }
+  if (options_.vertices && result_.mesh.vertex_count() > *options_.vertices) {
+    warnings.push_back(fmt::format("{} vertices are left, more than the {} asked for: further "
+                                   "collapses would spoil the mesh or exceed the tolerance",
+                                   result_.mesh.vertex_count(), *options_.vertices));
+  }
+}
+
+Result<void> check_channels(std::span<const Channel> channels, std::size_t points) {
+  for (const Channel& channel : channels) {
+    if (channel.values.size() == points * channel.width()) continue;
+    return fail(ErrorCode::mismatch,
+                fmt::format("channel '{}' has {} numbers, but {} points of {} each need {}",
+                            channel.name, channel.values.size(), points, channel.width(),
+                            points * channel.width()));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(std::span<const Point> points, std::span<const Channel> channels,
+                                   const ReconstructOptions& options, const Context& context) {
+  if (const auto fine = check(options); !fine) return tl::make_unexpected(fine.error());
+  if (const auto fine = check_channels(channels, points.size()); !fine) {
+    return tl::make_unexpected(fine.error());
+  }
+  if (points.size() >= kNone) return fail(ErrorCode::too_large, "more than 4294967294 points");
+  return Run(points, channels, options, context).run();
+}
+
+const char* name_of(Choice choice) {
+  switch (choice) {
+    case Choice::automatic: return "auto";
+    case Choice::on: return "on";
+    case Choice::off: return "off";
+  }
+  return "";
+}
+
+const char* name_of(Closing closing) {
+  switch (closing) {
+    case Closing::all: return "all";
+    case Closing::small: return "small";
+    case Closing::none: return "none";
+  }
+  return "";
+}
+
+const char* name_of(Positions positions) {
+  switch (positions) {
+    case Positions::automatic: return "auto";
+    case Positions::original: return "original";
+    case Positions::smoothed: return "smoothed";
+  }
+  return "";
+}
+
+}  // namespace surpass
