@@ -1,13 +1,14 @@
 // Ours: one thread, as the rivals use, and where the library is threaded all cores as well.
 #include <surpass/interpolate.hpp>
 #include <surpass/io.hpp>
+#include <surpass/refiner.hpp>
 #include <surpass/topology.hpp>
 
+#include <memory>
 #include <stdexcept>
 
 #include "contenders.hpp"
 #include "judges.hpp"
-#include "scheme/limit_operator.hpp"
 
 namespace surpass::bench {
 namespace {
@@ -108,13 +109,13 @@ void add_limits(Harness& harness, Index side, const Crew& crew) {
   harness.add(
       {.step = "sweep",
        .tool = crew.tool,
-       .counted = "the prepared limit operator applied to the points, into a new array"},
+       .counted = "Refiner::refine onto the limit at level 0, prepared, into a new array"},
       side,
       [context = crew.context](const Workload& w) {
-        const Topology topology = value_of(Topology::build(w.mesh()));
-        return [&mesh = w.mesh(), context,
-                limit = value_of(limit_operator(w.mesh(), topology, Rules{}, context))] {
-          return limit.rows.apply(context, mesh.points);
+        const auto limit = std::make_shared<const Refiner>(
+            value_of(Refiner::create(w.mesh(), {.levels = 0, .limit = true}, context)));
+        return [&mesh = w.mesh(), context, limit] {
+          return value_of(limit->refine(mesh.points, context));
         };
       },
       judge);

@@ -157,6 +157,11 @@ REACH = [
     ("solve from faces", "Eigen CG", ">=", 4, ""),
     ("solve again", "CHOLMOD", ">=", 3, ""),
     ("solve again", "Eigen CG", ">=", 10, ""),
+    *((step, tool, ">=", 1, "") for step in ("refine", "refine, catmull-clark")
+      for tool in ("OpenMesh", "CGAL", "OpenSubdiv")),
+    ("refine again", "OpenSubdiv stencils", ">=", 1, ""),
+    ("refine again, catmull-clark", "OpenSubdiv stencils", ">=", 1, ""),
+    ("sweep", "Eigen product", ">=", 1, ""),
 ]
 
 

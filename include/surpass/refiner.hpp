@@ -31,7 +31,7 @@ struct RefinerOptions {
 /// Movable, immutable after creation; `refine` may be called from several threads.
 class Refiner {
  public:
-  /// Takes as long as `refine` or `limit_mesh` and about as long again for sorting the weights.
+  /// Takes up to about twice as long as `refine` or `limit_mesh`: the weights are sorted.
   /// Fails where these do.
   [[nodiscard]] static Result<Refiner> create(const Mesh& control,
                                               const RefinerOptions& options = {},

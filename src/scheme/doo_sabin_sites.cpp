@@ -122,8 +122,7 @@ Result<std::vector<Point>> DooSabin::limit_normals(const Mesh& mesh, const Topol
   bare.face_vertices = mesh.face_vertices;
   bare.creases = mesh.creases;
   bare.corners = mesh.corners;
-  Steps steps;
-  const auto level = refined_level(std::move(bare), rules, 1, context, steps);
+  const auto level = refined_level(std::move(bare), rules, 1, context);
   if (!level) return tl::make_unexpected(level.error());
   return site_normals(*level, level->sites, rules.weights, context);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "scheme/doo_sabin_faces.hpp"
@@ -42,5 +43,10 @@ struct Level {
 /// `levels` is at least 1.
 [[nodiscard]] Result<Level> refined_level(Mesh mesh, const Rules& rules, int levels,
                                           const Context& context, Steps& steps);
+[[nodiscard]] inline Result<Level> refined_level(Mesh mesh, const Rules& rules, int levels,
+                                                 const Context& context) {
+  Steps steps;
+  return refined_level(std::move(mesh), rules, levels, context, steps);
+}
 
 }  // namespace surpass::doo_sabin

@@ -69,12 +69,12 @@ class RowMaker {
  private:
   void add_plain_vertex(Index v, RowTile& tile) const {
     const Index valence = topology_.valence(v);
-    const auto [columns, weights] = tile.add_row(std::size_t{valence} + 1);
-    columns[0] = v;
-    weights[0] = plain_[valence].own;
+    const RowTile::Room room = tile.add_row(std::size_t{valence} + 1);
+    room.columns[0] = v;
+    room.weights[0] = plain_[valence].own;
     std::size_t k = 1;
-    topology_.for_each_outgoing(v, [&](Index h) { columns[k++] = topology_.head(h); });
-    std::fill(weights.begin() + 1, weights.end(), plain_[valence].neighbour);
+    topology_.for_each_outgoing(v, [&](Index h) { room.columns[k++] = topology_.head(h); });
+    std::fill(room.weights.begin() + 1, room.weights.end(), plain_[valence].neighbour);
   }
 
   void add_special_vertex(Index v, RowTile& tile) const {
