@@ -18,6 +18,7 @@ import tempfile
 FOLDERS = ("quad", "tri")
 EACH = 5
 LEVELS = 4
+READING = "## What each is good for"
 METHODS = [
     # heading, what it is, options of `surpass interpolate`
     ("plain", "progressive interpolation", []),
@@ -178,7 +179,7 @@ def summary(results):
 
 def draw(surpass, control, picture):
     picture.parent.mkdir(parents=True, exist_ok=True)
-    subprocess.run([surpass, "render", control, "-o", picture, "--levels", "3", "--size", "480x360",
+    subprocess.run([surpass, "render", control, "-o", picture, "--levels", "3", "--size", "360x270",
                     "--scheme", "catmull-clark", "--reflection-lines", "--quiet"], check=True)
 
 
@@ -206,22 +207,32 @@ def main():
     for mesh in meshes:
         vertices, faces = counts(mesh)
         text += f"| {mesh.parent.name}/{mesh.name} | {vertices} | {faces} |\n"
-    text += "\nThe measurements are still to be made.\n" if arguments.head_only else body(arguments, meshes)
-    (arguments.docs / "comparison.md").write_text(text)
+    page = arguments.docs / "comparison.md"
+    reading = kept(page)
+    text += "\nThe measurements are still to be made.\n" if arguments.head_only else body(arguments, meshes, reading)
+    page.write_text(text)
 
 
-def body(arguments, meshes):
+def kept(page):
+    """The section that people write, which a new run must not lose."""
+    text = page.read_text() if page.exists() else ""
+    begin = text.find(READING)
+    return "\n" + text[begin:text.find("\n## ", begin) + 1].rstrip() + "\n" if begin >= 0 else ""
+
+
+def body(arguments, meshes, reading):
     surpass, results, text = arguments.surpass.resolve(), [], ""
     with tempfile.TemporaryDirectory() as name:
         for mesh in meshes:
             print(mesh, file=sys.stderr)
             found, refusals, controls = one_mesh(surpass, mesh, pathlib.Path(name))
             results.append(found)
-            text += f"\n## {mesh.parent.name}/{mesh.name}\n\n" + table(found, refusals) + "\n"
+            text += f"\n## {mesh.parent.name}/{mesh.name}\n\n" + table(found, refusals)
+            pictures = {m: pathlib.Path("images/comparison") / f"{mesh.stem}.{m}.png" for m in controls}
             for method, control in controls.items():
-                picture = pathlib.Path("images/comparison") / f"{mesh.stem}.{method}.png"
-                draw(surpass, control, arguments.docs / picture)
-                text += f"![{method}]({picture})\n"
+                draw(surpass, control, arguments.docs / pictures[method])
+            text += "\n| " + " | ".join(pictures) + " |\n" + "|---" * len(pictures) + "|\n"
+            text += "| " + " | ".join(f"![{m}]({p})" for m, p in pictures.items()) + " |\n"
             shares = {f"{100 * f['left out']:.1f}" for f in found.values()}
             text += f"\nLeft out: {' to '.join(sorted(shares, key=float))} % of the area.\n"
     head = f"""
@@ -232,7 +243,7 @@ surface, and in brackets on how many of the {len(meshes)} meshes the method has 
 {machine()}.
 
 """
-    return head + summary(results) + text
+    return head + summary(results) + reading + text
 
 
 if __name__ == "__main__":

@@ -73,6 +73,21 @@ double drawn_area(const Mesh& mesh, const Rules& rules, int levels) {
   return sum;
 }
 
+TEST(FairnessPart, HolesAreNoPartOfAnySchemesSurface) {
+  for (const Scheme scheme : all_schemes()) {
+    const Rules rules{scheme};
+    Mesh mesh = scheme == Scheme::loop ? test::triangle_grid(9, 9) : flat_grid();
+    for (Point& p : mesh.points) p[2] = 0;
+    const auto whole = fairness(mesh, rules, {.levels = 3}).value();
+    mesh.hole_faces = {54, 55};
+    const auto found = fairness(mesh, rules, {.levels = 3}).value();
+    EXPECT_NEAR(found.coverage.area, drawn_area(mesh, rules, 3), 1e-10) << name_of(scheme);
+    EXPECT_LT(found.coverage.area, whole.coverage.area - 0.5) << name_of(scheme);
+    EXPECT_LT(found.coverage.measured_patches, whole.coverage.measured_patches);
+    EXPECT_NEAR(found.total_variation, 0, 1e-9);
+  }
+}
+
 // The patches' polygons are those of the mesh that others draw, and what is integrated over them
 // tends to the same area.
 TEST(FairnessPart, AreasAddUpOnEveryKindOfMesh) {
