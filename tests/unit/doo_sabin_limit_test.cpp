@@ -22,8 +22,8 @@ TEST(DooSabinLimit, IsWhereTheRefinedVerticesGo) {
     ASSERT_TRUE(limit) << describe(limit.error());
     const double side = bounding_box(sample.mesh.points).side();
     const int levels = affordable_levels(sample.mesh, 6);
-    const auto coarse = doo_sabin::refined_level(sample.mesh, rules, 2, {}).value();
-    const auto fine = doo_sabin::refined_level(sample.mesh, rules, levels, {}).value();
+    const auto coarse = refined_level(sample.mesh, rules, 2);
+    const auto fine = refined_level(sample.mesh, rules, levels);
     for (Index v = 0; v < sample.mesh.vertex_count(); ++v) {
       const auto near = points_at(fine, fine.sites[v]);
       EXPECT_LT(distance(mean(near), (*limit)[v]), 1e-12 * side) << "vertex " << v;

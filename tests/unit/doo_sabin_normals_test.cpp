@@ -32,7 +32,7 @@ Point normal_at(const doo_sabin::Level& level, const doo_sabin::Site& site) {
 
 double error_at(const Mesh& mesh, const Rules& rules, const std::vector<Point>& normals,
                 int levels) {
-  const auto level = doo_sabin::refined_level(mesh, rules, levels, {}).value();
+  const auto level = refined_level(mesh, rules, levels);
   double most = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (normals[v] == Point{}) continue;  // isolated

@@ -20,6 +20,11 @@ inline std::vector<Rules> doo_sabin_rules() {
   return all;
 }
 
+inline doo_sabin::Level refined_level(const Mesh& mesh, const Rules& rules, int levels) {
+  Steps steps;
+  return doo_sabin::refined_level(mesh, rules, levels, {}, steps).value();
+}
+
 /// Calls law(mesh, rules) for every sample, with a trace that names it.
 template <class Law>
 void for_every_sample(Law&& law) {
