@@ -81,7 +81,7 @@ void check_all_kinds(const Mesh& given, Scheme scheme, int most_levels, int& che
 
 class RefinerOf : public testing::TestWithParam<Scheme> {};
 
-TEST_P(RefinerOf, RandomMeshesHasTheBitsOfRefine) {
+TEST_P(RefinerOf, HasTheBitsOfRefineOnRandomMeshes) {
   int checked = 0;
   for (int kind = 0; kind < 5; ++kind) {
     for (const double creases : {0.0, 0.15}) {
@@ -94,7 +94,7 @@ TEST_P(RefinerOf, RandomMeshesHasTheBitsOfRefine) {
   EXPECT_GE(checked, 10 * 2 * 8);
 }
 
-TEST_P(RefinerOf, SpecialCasesHasTheBitsOfRefine) {
+TEST_P(RefinerOf, HasTheBitsOfRefineOnSpecialCases) {
   int checked = 0;
   for (const test::Sample& sample : test::polygon_samples()) {
     SCOPED_TRACE(sample.name);
@@ -104,7 +104,7 @@ TEST_P(RefinerOf, SpecialCasesHasTheBitsOfRefine) {
   EXPECT_GT(checked, 40);
 }
 
-TEST_P(RefinerOf, RealMeshesHasTheBitsOfRefine) {
+TEST_P(RefinerOf, HasTheBitsOfRefineOnRealMeshes) {
   std::vector<std::string> paths = test::committed_meshes();
   for (const char* folder : {"tri", "quad"}) {
     const auto real = test::real_meshes(folder);
@@ -116,9 +116,10 @@ TEST_P(RefinerOf, RealMeshesHasTheBitsOfRefine) {
     const auto loaded = read_mesh(path);
     ASSERT_TRUE(loaded);
     if (loaded->mesh.vertex_count() > 20000) continue;
-    for (const bool limit : {false, true}) {
-      checked += check(with_extras(loaded->mesh), {{GetParam()}, 1, limit}) ? 1 : 0;
-    }
+    const Mesh mesh = with_extras(loaded->mesh);
+    checked += check(mesh, {{GetParam()}, 1, false}) ? 1 : 0;
+    if (mesh.vertex_count() > 3000) continue;  // normals take their time
+    checked += check(mesh, {{GetParam()}, 1, true}) ? 1 : 0;
   }
   EXPECT_GT(checked, 10);
 }
