@@ -5,7 +5,7 @@ export JOBS ?= $(shell nproc)
 # A folder of further meshes for `make test` and `make papers`.
 DATA ?= $(wildcard ../shared/data)
 
-.PHONY: help demo build test bench counts papers format lint clean
+.PHONY: help demo build test bench curve counts papers format lint clean
 help:  ## print this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1: /p' $(MAKEFILE_LIST)
 
@@ -25,6 +25,11 @@ bench: need-bench  ## time Surpass beside other libraries; figures go to bench/r
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build build/bench -j $(JOBS)
 	@bench/run.sh build/bench bench/results
+
+curve: need-bench  ## time the whole program from 1e3 to 1e7 vertices; the plot goes to docs/images
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build build/bench -j $(JOBS) --target surpass_app surpass_torus
+	@bench/curve.py build/bench bench/results docs/images/curve.svg
 
 counts: need-counts build/release/build.ninja  ## check that six small jobs take no more instructions
 	@cmake --build build/release --target surpass_app -j $(JOBS)

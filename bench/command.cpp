@@ -1,13 +1,14 @@
 // The program itself, as a user starts it: from the OBJ file to the certified control mesh on disk.
 #include <surpass/io.hpp>
 
-#include <array>
+#include <fstream>
 #include <stdexcept>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,35 +19,47 @@ namespace surpass::bench {
 namespace {
 
 struct Run {
+  std::string obj;
   std::string control;  ///< the file that was written
-  double peak_bytes;
 };
 
-Run interpolate_file(const std::string& obj) {
+// With a report, if it has a name.
+Run interpolate_file(const std::string& obj, const std::string& report = {}) {
   const std::string control = obj + ".control.ply";
   const std::string tolerance = fmt::format("{}", kTolerance);
-  std::array<const char*, 11> arguments = {
-      SURPASS_BENCH_PROGRAM, "interpolate", obj.c_str(), "-o",      control.c_str(), "--tolerance",
-      tolerance.c_str(),     "--threads",   "1",         "--quiet", nullptr};
+  std::vector<const char*> arguments = {
+      SURPASS_BENCH_PROGRAM, "interpolate",     obj.c_str(), "-o", control.c_str(),
+      "--tolerance",         tolerance.c_str(), "--threads", "1",  "--quiet"};
+  if (!report.empty()) arguments.insert(arguments.end(), {"--report", report.c_str()});
+  arguments.push_back(nullptr);
   pid_t child = 0;
   if (::posix_spawn(&child, arguments[0], nullptr, nullptr, const_cast<char**>(arguments.data()),
                     environ) != 0) {
     throw std::runtime_error("cannot start " SURPASS_BENCH_PROGRAM);
   }
   int status = 0;
-  rusage usage = {};
-  if (::wait4(child, &status, 0, &usage) != child || status != 0) {
+  if (::waitpid(child, &status, 0) != child || status != 0) {
     throw std::runtime_error("surpass interpolate failed");
   }
-  return {control, 1024.0 * static_cast<double>(usage.ru_maxrss)};
+  return {obj, control};
+}
+
+// The program's own account, in a run that is not timed. What the system says of a child begins
+// with the memory of this process.
+double peak_bytes(const std::string& obj) {
+  const std::string report = obj + ".report.json";
+  interpolate_file(obj, report);
+  const auto json = nlohmann::json::parse(std::ifstream(report));
+  ::unlink(report.c_str());
+  return json.at("peak_memory_bytes").get<double>();
 }
 
 Verdict judge(const Workload& workload, const Run& run) {
   const auto read = read_mesh(run.control);
   if (!read) throw std::runtime_error(describe(read.error()));
-  ::unlink(run.control.c_str());
   Verdict verdict = judge_control(workload, read->mesh.points);
-  verdict.peak = run.peak_bytes / static_cast<double>(workload.mesh().points.size());
+  verdict.peak = peak_bytes(run.obj) / static_cast<double>(workload.mesh().points.size());
+  ::unlink(run.control.c_str());
   return verdict;
 }
 

@@ -13,12 +13,13 @@ namespace {
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
 void* allocate(std::size_t size, std::size_t alignment) {
-  const bool large = size >= 2 * kHugePage;
+  const bool large = size >= kHugePage;
   if (large) alignment = std::max(alignment, kHugePage);
   const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) & ~(alignment - 1);
   void* block = rounded < size ? nullptr : std::aligned_alloc(alignment, rounded);
-  // A hint, so whether it is followed does not matter.
-  if (large && block != nullptr) ::madvise(block, rounded, MADV_HUGEPAGE);
+  // A hint, so whether it is followed does not matter. What does not fill a page stays in small
+  // ones.
+  if (large && block != nullptr) ::madvise(block, size / kHugePage * kHugePage, MADV_HUGEPAGE);
   if (block == nullptr) throw std::bad_alloc();
   return block;
 }

@@ -283,8 +283,9 @@ Result<Verdict> Interpolate::verify(const Mesh& control, std::span<const Point> 
     if (!exact) return tl::make_unexpected(exact.error());
     verdict.exact = *exact;
 
-    const std::vector<Point> rounded = output_.stored(control.points);
-    if (rounded != control.points) {
+    const std::vector<Point> rounded =
+        output_.rounds() ? output_.stored(control.points) : std::vector<Point>();
+    if (output_.rounds() && rounded != control.points) {
       const Result<Certificate> stored = certify(rounded);
       if (!stored) return tl::make_unexpected(stored.error());
       verdict.stored = *stored;

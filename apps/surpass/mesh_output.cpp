@@ -155,6 +155,10 @@ Result<void> MeshOutput::write(const Mesh& mesh, const std::string& path, Sessio
   return {};
 }
 
+bool MeshOutput::rounds() const {
+  return rounds_positions(options_.format, options_.single_precision);
+}
+
 std::vector<Point> MeshOutput::stored(std::span<const Point> points) const {
   return stored_positions(points, options_.format, options_.single_precision);
 }

@@ -31,6 +31,7 @@ class MeshOutput {
                                    Session& session) const;
 
   /// The positions as the file will hold them.
+  [[nodiscard]] bool rounds() const;
   [[nodiscard]] std::vector<Point> stored(std::span<const Point> points) const;
 
   [[nodiscard]] const std::string& path() const { return path_; }

@@ -62,6 +62,9 @@ struct WriteOptions {
                                                            const WriteOptions& options,
                                                            std::string& bytes);
 
+/// Whether such a file holds positions of 32 bits.
+[[nodiscard]] bool rounds_positions(Format format, bool single_precision);
+
 /// The positions as such a file will hold them: unchanged, or rounded to 32 bits.
 [[nodiscard]] std::vector<Point> stored_positions(std::span<const Point> points, Format format,
                                                   bool single_precision);

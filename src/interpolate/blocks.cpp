@@ -56,6 +56,7 @@ Block describe_block(const LimitOperator& op, std::vector<Index> vertices, Role 
 
 std::vector<Index> with_role(const std::vector<Role>& roles, Role role) {
   std::vector<Index> vertices;
+  vertices.reserve(static_cast<std::size_t>(std::count(roles.begin(), roles.end(), role)));
   for (std::size_t v = 0; v < roles.size(); ++v) {
     if (roles[v] == role) vertices.push_back(static_cast<Index>(v));
   }

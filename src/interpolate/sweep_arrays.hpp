@@ -23,23 +23,27 @@ struct SweepArrays {
 };
 
 /// Hands out the arrays of one block and takes them back: memory that was used before costs
-/// nothing, fresh memory as much as a few sweeps. Solves at the same time get arrays of their own.
+/// nothing, fresh memory as much as a few sweeps. They are kept from the second time on, as most
+/// topologies are solved on once and what follows needs the memory. Solves at the same time get
+/// arrays of their own.
 class SpareArrays {
  public:
   [[nodiscard]] SweepArrays take(std::size_t size) {
     {
       const std::lock_guard lock(mutex_);
+      ++taken_;
       if (kept_.size == size) return std::exchange(kept_, {});
     }
     return SweepArrays::of(size);
   }
   void give_back(SweepArrays arrays) {
     const std::lock_guard lock(mutex_);
-    kept_ = std::move(arrays);
+    if (taken_ > 1) kept_ = std::move(arrays);
   }
 
  private:
   std::mutex mutex_;
+  std::size_t taken_ = 0;
   SweepArrays kept_;
 };
 

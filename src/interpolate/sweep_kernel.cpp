@@ -33,8 +33,9 @@ template <bool kWide>
 
 template <bool kWide>
 [[gnu::always_inline]] inline void include(ErrorNorms& norms, const Four& r, double scale) {
+  const Four squares = (r * scale) * (r * scale);
   double squared = 0;
-  for (std::size_t c = 0; c < (kWide ? 4 : 3); ++c) squared += (r[c] * scale) * (r[c] * scale);
+  for (std::size_t c = 0; c < (kWide ? 4 : 3); ++c) squared += squares[c];
   const double distance = std::sqrt(squared);
   if (distance > norms.max || std::isnan(distance)) norms.max = distance;
   norms.sum += distance;
@@ -63,6 +64,7 @@ template <Index kLength, bool kWide, bool kMeasured, class Column>
   const Column* columns = run.columns;
   const double momentum = sweep.momentum;
   const double step = sweep.step;
+  ErrorNorms found = kMeasured ? *norms : ErrorNorms{};  // nothing that a stored point might change
   for (std::size_t at = run.rows.begin * kStride; at < run.rows.end * kStride; at += kStride) {
     const Four x = four_at(points.current + at);
     Four product{};
@@ -73,8 +75,9 @@ template <Index kLength, bool kWide, bool kMeasured, class Column>
     columns += length;
     const Four r = four_at(points.target + at) - product;
     store<kWide>(points.next + at, x + momentum * (x - four_at(points.previous + at)) + step * r);
-    if (kMeasured) include<kWide>(*norms, r, scale);
+    if (kMeasured) include<kWide>(found, r, scale);
   }
+  if (kMeasured) *norms = found;
 }
 
 template <bool kMeasured, class Column>

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstring>
 
 #include "io/annotations.hpp"
 #include "io/ply_channels.hpp"
@@ -48,6 +50,8 @@ class Row {
   void end() {
     if (text_) out_ += '\n';
   }
+  /// Bytes go out as they are held.
+  [[nodiscard]] bool copies() const { return !text_ && !swap_; }
 
  private:
   std::string& out_;
@@ -78,6 +82,7 @@ class PlyWriter {
   void write_properties(const std::vector<OutColumn>& columns);
   void write_vertices();
   void write_faces();
+  void copy_faces();
   void write_texture(Row& row, Index f);
   void write_edges();
 
@@ -225,6 +230,12 @@ void PlyWriter::write_header() {
 
 void PlyWriter::write_vertices() {
   Row row(out_, encoding_);
+  const bool as_held = vertex_columns_.size() == 3 && vertex_columns_[0].type == Storage::float64;
+  if (row.copies() && as_held) {
+    const std::span<const double> positions = flat(mesh_.points);
+    out_.append(reinterpret_cast<const char*>(positions.data()), positions.size_bytes());
+    return;
+  }
   for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
     for (const OutColumn& column : vertex_columns_) {
       row.add(column.type, column.from[v * column.stride]);
@@ -243,8 +254,22 @@ void PlyWriter::write_texture(Row& row, Index f) {
   }
 }
 
+// Faces with nothing but corners, fewer than 256 each, in the machine's byte order.
+void PlyWriter::copy_faces() {
+  std::array<char, 1 + 255 * sizeof(Index)> bytes;
+  for (Index f = 0; f < mesh_.face_count(); ++f) {
+    const std::span<const Index> face = mesh_.face(f);
+    bytes[0] = static_cast<char>(face.size());
+    std::memcpy(&bytes[1], face.data(), face.size_bytes());
+    out_.append(bytes.data(), 1 + face.size_bytes());
+  }
+}
+
 void PlyWriter::write_faces() {
   Row row(out_, encoding_);
+  if (row.copies() && texture_ == nullptr && face_columns_.empty() && !long_lists_) {
+    return copy_faces();
+  }
   const Storage length = long_lists_ ? Storage::int32 : Storage::uint8;
   for (Index f = 0; f < mesh_.face_count(); ++f) {
     const std::span<const Index> face = mesh_.face(f);

@@ -145,11 +145,14 @@ Result<std::vector<std::string>> write_mesh(const Mesh& mesh, const std::string&
   return notes;
 }
 
+bool rounds_positions(Format format, bool single_precision) {
+  return format == Format::stl || (format == Format::ply && single_precision);
+}
+
 std::vector<Point> stored_positions(std::span<const Point> points, Format format,
                                     bool single_precision) {
   std::vector<Point> stored(points.begin(), points.end());
-  const bool rounded = format == Format::stl || (format == Format::ply && single_precision);
-  if (!rounded) return stored;
+  if (!rounds_positions(format, single_precision)) return stored;
   for (Point& point : stored) {
     for (double& x : point) x = io::rounded_to_float(x);
   }
