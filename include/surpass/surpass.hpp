@@ -9,6 +9,7 @@
 #include <surpass/mesh.hpp>
 #include <surpass/quality.hpp>
 #include <surpass/repair.hpp>
+#include <surpass/requirements.hpp>
 #include <surpass/result.hpp>
 #include <surpass/scheme.hpp>
 #include <surpass/similarity.hpp>

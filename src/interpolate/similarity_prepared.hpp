@@ -17,6 +17,7 @@ struct SimilarityPrepared {
   SimilarityOptions options;
   Refinement refinement;                ///< of the given mesh; its mesh is annotated
   std::vector<unsigned char> isolated;  ///< #given: no face, so not part of the surface
+  Mesh given;                           ///< its faces, creases and corners, without points
   Elimination elimination;
   std::unique_ptr<const PatchLayout> layout;
   /// Of the vectors or the fair form; directions depend on the points as well, and use this for

@@ -20,7 +20,7 @@ PUBLIC_LAYER = {
     'result': 'parallel', 'context': 'parallel', 'version': 'parallel',
     'mesh': 'mesh', 'topology': 'mesh', 'repair': 'mesh',
     'scheme': 'scheme', 'evaluate': 'scheme', 'interpolate': 'interpolate',
-    'similarity': 'interpolate', 'quality': 'quality', 'io': 'io',
+    'similarity': 'interpolate', 'requirements': 'interpolate', 'quality': 'quality', 'io': 'io',
     'oracle': 'oracle', 'render': 'render',
 }
 OUTSIDE = ['apps', 'bindings', 'examples']  # public headers and their own files only
