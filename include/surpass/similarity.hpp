@@ -3,6 +3,7 @@
 #pragma once
 
 #include <surpass/interpolate.hpp>
+#include <surpass/requirements.hpp>
 
 #include <array>
 #include <cstddef>
@@ -80,16 +81,20 @@ struct SimilarityReport {
   SolveReport solve;
   bool solver_converged = false;  ///< the residual reached the solver's tolerance
   double residual = 0;            ///< at the end, relative to that of the reference; 0 if both are
-  std::vector<double> residuals = {};  ///< relative, from the first iteration on
-  std::array<double, 3> scale = {};    ///< of the reference, for each axis
-  std::size_t free_vertices = 0;       ///< of the control mesh
-  std::size_t derivatives = 0;         ///< sampled, all patches together
+  std::vector<double> residuals = {};                 ///< relative, from the first iteration on
+  std::array<double, 3> scale = {};                   ///< of the reference, for each axis
+  std::size_t free_vertices = 0;                      ///< of the control mesh
+  std::size_t derivatives = 0;                        ///< sampled, all patches together
+  std::vector<RequirementOutcome> requirements = {};  ///< of `solve_required`, in its order
 };
 
 struct SimilaritySolution {
   std::vector<Point> points;      ///< of the refined mesh, the given vertices' first
   std::vector<Channel> channels;  ///< the given channels, interpolated along
   SimilarityReport report;
+  /// By solve_required, #given: what the limits of the given vertices are to be. The given points,
+  /// or those that requirements put in their place; where one was removed, the limit itself.
+  std::vector<Point> targets = {};
 };
 
 /// Interpolation prepared for one topology: many point sets, one set-up.
@@ -141,6 +146,21 @@ class SimilarityInterpolator {
                                                       std::span<const Channel> channels = {},
                                                       const Context& context = {}) const;
 
+  /// The same with further requirements, at the vertices and at places of the given mesh. They are
+  /// met exactly, as the given vertices are, however far the iteration comes; what follows from the
+  /// others is dropped and reported. `reference` may be empty: the given points.
+  /// Errors: `invalid_argument` for a requirement that says nothing possible, `singular` for those
+  /// that contradict each other or the given vertices, both naming them; `invalid_argument` with
+  /// the solver gauss_seidel. Needs a scheme that LimitSurface evaluates.
+  /// Method: what the equations forbid is projected out of the gradient in each iteration, by a
+  /// sparse Cholesky decomposition of their products; another one finds those that depend on the
+  /// rest. Lai and Cheng 2006, section 3, choose a vertex to eliminate for each requirement.
+  [[nodiscard]] Result<SimilaritySolution> solve_required(std::span<const Requirement> requirements,
+                                                          std::span<const Point> points,
+                                                          std::span<const Point> reference = {},
+                                                          std::span<const Channel> channels = {},
+                                                          const Context& context = {}) const;
+
   /// Limit points of the given vertices (#V), from control points of the refined mesh: what a
   /// certificate needs. Error: wrong size.
   [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,
@@ -162,5 +182,10 @@ struct SimilarityInterpolated {
 /// One-shot form of SimilarityInterpolator.
 [[nodiscard]] Result<SimilarityInterpolated> interpolate_similar(
     const Mesh& mesh, const SimilarityOptions& options = {}, const Context& context = {});
+
+/// The same with further requirements, as SimilarityInterpolator::solve_required has them.
+[[nodiscard]] Result<SimilarityInterpolated> interpolate_required(
+    const Mesh& mesh, std::span<const Requirement> requirements,
+    const SimilarityOptions& options = {}, const Context& context = {});
 
 }  // namespace surpass

@@ -11,6 +11,7 @@
 #include <surpass/quality.hpp>
 #include <surpass/refiner.hpp>
 #include <surpass/repair.hpp>
+#include <surpass/requirements.hpp>
 #include <surpass/result.hpp>
 #include <surpass/scheme.hpp>
 #include <surpass/similarity.hpp>

@@ -5,7 +5,8 @@
 namespace surpass {
 
 Result<Elimination> Elimination::build(SparseRows limits, Index control_points,
-                                       const Context& context) {
+                                       const Context& context,
+                                       std::span<const unsigned char> released) {
   Elimination e;
   e.limits_ = std::move(limits);
   const Index n = e.given_count();
@@ -17,6 +18,7 @@ Result<Elimination> Elimination::build(SparseRows limits, Index control_points,
   e.pivot_.assign(n, 0.0);
   e.given_of_.assign(control_points, kNone);
   for (Index i = 0; i < n; ++i) {
+    if (!released.empty() && released[i] != 0) continue;
     for (Index k = 0; k < e.limits_.row_length(i); ++k) {
       const Index j = e.limits_.row_columns(i)[k];
       const double weight = e.limits_.row_weights(i)[k];
@@ -59,6 +61,7 @@ void Elimination::meet(const Context& context, std::size_t width, std::span<cons
   parallel::for_ranges(context, given_count(), [&](std::size_t begin, std::size_t end) {
     std::vector<double> rest(width);
     for (std::size_t i = begin; i < end; ++i) {
+      if (dependent_[i] == kNone) continue;
       const auto row = static_cast<Index>(i);
       for (std::size_t c = 0; c < width; ++c) {
         rest[c] = targets.empty() ? 0 : targets[i * width + c];
@@ -87,6 +90,7 @@ void Elimination::restrict_gradient(const Context& context, std::size_t width,
   });
   parallel::for_ranges(context, given_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (dependent_[i] == kNone) continue;
       for (std::size_t c = 0; c < width; ++c) y[dependent_[i] * width + c] = 0;
     }
   });

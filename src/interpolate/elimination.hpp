@@ -15,13 +15,16 @@ class Elimination {
  public:
   /// `limits`: a row per given vertex over `control_points` columns. In each row the largest weight
   /// among the columns that no other row has becomes the dependent one; fails if there is none.
-  static Result<Elimination> build(SparseRows limits, Index control_points, const Context& context);
+  /// Vertices marked in `released` (#given, or empty: none) need not be met: they have none.
+  static Result<Elimination> build(SparseRows limits, Index control_points, const Context& context,
+                                   std::span<const unsigned char> released = {});
 
   [[nodiscard]] Index given_count() const { return limits_.row_count(); }
   [[nodiscard]] Index control_count() const { return static_cast<Index>(given_of_.size()); }
   [[nodiscard]] bool is_free(Index j) const { return given_of_[j] == kNone; }
   [[nodiscard]] const SparseRows& limits() const { return limits_; }
-  /// The control point that depends on the others for the sake of given vertex i.
+  /// The control point that depends on the others for the sake of given vertex i; kNone if i is
+  /// released.
   [[nodiscard]] Index dependent(Index i) const { return dependent_[i]; }
 
   /// Sets the dependent points such that the limits are the targets (#given by width), or 0 without
@@ -33,9 +36,13 @@ class Elimination {
   /// which the dependent ones follow; 0 at these.
   void restrict_gradient(const Context& context, std::size_t width, std::span<double> y) const;
 
+  /// The given vertex that control point j depends for, or kNone.
+  [[nodiscard]] Index given_of(Index j) const { return given_of_[j]; }
+
   /// use(j, coefficient) for each free point j on which dependent(i) depends.
   template <class Use>
   void for_each_coefficient(Index i, Use&& use) const {
+    if (dependent_[i] == kNone) return;
     const auto columns = limits_.row_columns(i);
     const auto weights = limits_.row_weights(i);
     const double pivot = pivot_[i];
@@ -48,7 +55,7 @@ class Elimination {
   void find_dependents_of_free();
 
   SparseRows limits_;
-  std::vector<Index> dependent_;  // #given
+  std::vector<Index> dependent_;  // #given, kNone where released
   std::vector<double> pivot_;     // #given: weight of the dependent point
   std::vector<Index> given_of_;   // #control: the given vertex that it depends for, or kNone
   // The coefficients once more, by free points.

@@ -11,6 +11,8 @@
 
 namespace surpass {
 
+class LinearConstraints;
+
 /// Arrays are #control points by width. A change of the control points is `extended` if its
 /// dependent points keep the limits of the given vertices; a gradient is 0 at them.
 struct FreeSystem {
@@ -18,6 +20,8 @@ struct FreeSystem {
   const PatchEnergy& energy;
   std::size_t width;
   const Context& context;
+  /// Further equations that the change shall leave as they are, for width 3; or none.
+  const LinearConstraints* constraints = nullptr;
 
   [[nodiscard]] std::size_t size() const { return elimination.control_count() * width; }
   /// y = the change of the gradient that goes with the change x, which is extended first.
@@ -52,7 +56,9 @@ struct FreeOutcome {
 
 /// Brings `change` (extended; starts and ends so) to where the gradient vanishes; `gradient` is
 /// that at the start and is overwritten. Points that no derivative sees stay. Conjugate gradients,
-/// preconditioned by the diagonal blocks of the energy.
+/// preconditioned by the diagonal blocks of the energy. With constraints, where its part along them
+/// vanishes: Gould, Hribar, Nocedal, On the solution of equality constrained quadratic programming
+/// problems arising in optimization, 2001, algorithm 6.2.
 [[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
                                              std::span<double> gradient, std::span<double> change);
 

@@ -16,9 +16,8 @@ PatchLayout::PatchLayout(PatchRows rows, Index control_points)
   for (std::size_t first = 0; first < patches; first += kPatches) {
     const std::size_t last = std::min(patches, first + kPatches);
     std::stable_sort(order_.begin() + static_cast<std::ptrdiff_t>(first),
-                     order_.begin() + static_cast<std::ptrdiff_t>(last), [&](Index a, Index b) {
-                       return rows_.kind_number(a) < rows_.kind_number(b);
-                     });
+                     order_.begin() + static_cast<std::ptrdiff_t>(last),
+                     [&](Index a, Index b) { return rows_.kind_number(a) < rows_.kind_number(b); });
     const std::size_t begin = points_.size();
     for (std::size_t i = first; i < last; ++i) {
       for (const Index v : rows_.columns(order_[i])) {

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "interpolate/linear_constraints.hpp"
 #include "interpolate/linear_system.hpp"
+#include "interpolate/requirement_outcomes.hpp"
 #include "interpolate/similarity_prepared.hpp"
 
 namespace surpass {
@@ -70,6 +72,9 @@ struct Wanted {
   std::span<const double> reference;  // #given or #control by width; empty: the given points
   std::size_t width;
   bool positions;  // and not a channel
+  const Elimination& elimination;
+  const RequirementRows* equations = nullptr;  // besides the given vertices; for positions
+  std::span<const Requirement> requirements = {};
 };
 
 // Control values, #control by width, and how they were found.
@@ -78,6 +83,7 @@ struct Found {
   std::vector<double> reference;
   std::vector<double> scale;
   FreeOutcome outcome;
+  std::vector<unsigned char> redundant;  // #requirements
 };
 
 std::vector<double> refined_reference(const SimilarityPrepared& prepared, const Wanted& wanted,
@@ -91,10 +97,9 @@ std::vector<double> refined_reference(const SimilarityPrepared& prepared, const 
 }
 
 // x = the reference where points are free, moved to where the energy is least; in units.
-FreeOutcome minimise(const SimilarityPrepared& prepared, const PatchEnergy& energy,
-                     const Wanted& wanted, std::span<const double> reference,
-                     const Context& context, std::span<double> x) {
-  const FreeSystem system{prepared.elimination, energy, wanted.width, context};
+FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& system,
+                     std::span<const double> reference, std::span<double> x) {
+  const Context& context = system.context;
   std::vector<double> gradient(x.size());
   std::vector<double> change(x.begin(), x.end());
   if (prepared.options.similarity != Similarity::fair) {
@@ -107,8 +112,8 @@ FreeOutcome minimise(const SimilarityPrepared& prepared, const PatchEnergy& ener
     constexpr double kRounding = 1e-14;  // coordinates are near 1
     if (largest <= kRounding) return {};
   }
-  energy.product(context, wanted.width, change, gradient);
-  prepared.elimination.restrict_gradient(context, wanted.width, gradient);
+  system.energy.product(context, system.width, change, gradient);
+  system.elimination.restrict_gradient(context, system.width, gradient);
   std::fill(change.begin(), change.end(), 0.0);
   const StopAt stop{prepared.options.solver_tolerance, prepared.options.max_iterations};
   FreeOutcome outcome = prepared.options.solver == SimilaritySolver::gauss_seidel
@@ -116,6 +121,18 @@ FreeOutcome minimise(const SimilarityPrepared& prepared, const PatchEnergy& ener
                             : conjugate_gradient(system, stop, gradient, change);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += change[i];
   return outcome;
+}
+
+Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
+                                                        const FreeSystem& system,
+                                                        std::span<const double> given,
+                                                        const Units& units) {
+  if (wanted.equations == nullptr || wanted.equations->rows.empty()) return std::nullopt;
+  const LinearConstraints::Units own{{units.centre[0], units.centre[1], units.centre[2]},
+                                     units.scale};
+  auto built = LinearConstraints::build(*wanted.equations, wanted.requirements, system, given, own);
+  if (!built) return tl::make_unexpected(built.error());
+  return std::move(*built);
 }
 
 Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
@@ -130,7 +147,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
   found.scale = scale_reference(prepared, prepared.options.scaling, wanted.width, given, context,
                                 found.reference);
   found.values = found.reference;
-  prepared.elimination.meet(context, wanted.width, given, found.values);
+  wanted.elimination.meet(context, wanted.width, given, found.values);
 
   const SimilarityOptions& options = prepared.options;
   const bool directions = options.similarity == Similarity::directions && wanted.positions;
@@ -138,15 +155,26 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
   if (directions && options.max_iterations > 0) {
     own = cross_products(*prepared.layout, found.reference, options.row_weights, context);
   }
-  const PatchEnergy& energy = own ? *own : *prepared.scalar;
+  FreeSystem system{wanted.elimination, own ? *own : *prepared.scalar, wanted.width, context};
+  auto constraints = constraints_of(wanted, system, given, *units);
+  if (!constraints) return tl::make_unexpected(constraints.error());
+  if (*constraints) {
+    system.constraints = &**constraints;
+    system.constraints->meet(context, found.values, true);
+    found.redundant = system.constraints->redundant();
+  }
   if (options.max_iterations > 0) {
-    found.outcome = minimise(prepared, energy, wanted, found.reference, context, found.values);
+    found.outcome = minimise(prepared, system, found.reference, found.values);
   }
   if (found.outcome.cancelled) return fail(ErrorCode::cancelled, "cancelled while solving");
   units->leave(context, found.values);
   units->leave(context, found.reference);
   // Once more from the given numbers themselves: exact to the last rounding.
-  prepared.elimination.meet(context, wanted.width, wanted.given, found.values);
+  wanted.elimination.meet(context, wanted.width, wanted.given, found.values);
+  if (*constraints) {
+    system.constraints->meet(context, found.values, false);
+    wanted.elimination.meet(context, wanted.width, wanted.given, found.values);
+  }
   return found;
 }
 
@@ -239,11 +267,10 @@ Result<SimilaritySolution> SimilarityInterpolator::solve(std::span<const Point> 
   return solve_like({}, points, channels, context);
 }
 
-Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Point> reference,
-                                                              std::span<const Point> points,
-                                                              std::span<const Channel> channels,
-                                                              const Context& context) const {
-  const SimilarityPrepared& prepared = *impl_;
+namespace {
+
+Result<void> check_input(const SimilarityPrepared& prepared, std::span<const Point> reference,
+                         std::span<const Point> points) {
   if (points.size() != prepared.given_count()) {
     return fail(ErrorCode::mismatch, fmt::format("{} points were given for a mesh of {} vertices",
                                                  points.size(), prepared.given_count()));
@@ -256,24 +283,152 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Po
                             reference.size(), prepared.given_count(), prepared.control_count()));
   }
   for (const auto values : {flat(points), flat(reference)}) {
-    if (auto ok = require_numbers(values, 3, "a coordinate"); !ok) {
-      return tl::make_unexpected(ok.error());
-    }
+    if (auto ok = require_numbers(values, 3, "a coordinate"); !ok) return ok;
   }
-  auto found = find(prepared, {flat(points), flat(reference), 3, true}, context);
-  if (!found) return tl::make_unexpected(found.error());
-  SimilaritySolution solution;
-  fill_report(prepared, *found, points, context, solution.report);
-  judge_residual(prepared, found->outcome, solution.report);
-  solution.points.resize(prepared.control_count());
-  std::copy(found->values.begin(), found->values.end(), flat(std::span(solution.points)).begin());
+  return {};
+}
+
+// Channels know of no requirements: they keep the values of all given vertices.
+Result<void> carry_channels(const SimilarityPrepared& prepared, std::span<const Channel> channels,
+                            const Context& context, SimilaritySolution& solution) {
   for (const Channel& channel : channels) {
-    if (auto ok = check_channel(channel, points.size()); !ok) {
-      return tl::make_unexpected(ok.error());
-    }
-    auto carried = find(prepared, {channel.values, {}, channel.width(), false}, context);
+    if (auto ok = check_channel(channel, prepared.given_count()); !ok) return ok;
+    auto carried =
+        find(prepared, {channel.values, {}, channel.width(), false, prepared.elimination}, context);
     if (!carried) return tl::make_unexpected(carried.error());
     solution.channels.emplace_back(channel).values = std::move(carried->values);
+  }
+  return {};
+}
+
+SimilaritySolution solution_of(const SimilarityPrepared& prepared, Found& found,
+                               std::span<const Point> points, const Context& context) {
+  SimilaritySolution solution;
+  fill_report(prepared, found, points, context, solution.report);
+  judge_residual(prepared, found.outcome, solution.report);
+  solution.points.resize(prepared.control_count());
+  std::copy(found.values.begin(), found.values.end(), flat(std::span(solution.points)).begin());
+  return solution;
+}
+
+}  // namespace
+
+Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Point> reference,
+                                                              std::span<const Point> points,
+                                                              std::span<const Channel> channels,
+                                                              const Context& context) const {
+  const SimilarityPrepared& prepared = *impl_;
+  if (auto ok = check_input(prepared, reference, points); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  auto found =
+      find(prepared, {flat(points), flat(reference), 3, true, prepared.elimination}, context);
+  if (!found) return tl::make_unexpected(found.error());
+  SimilaritySolution solution = solution_of(prepared, *found, points, context);
+  if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  return solution;
+}
+
+namespace {
+
+// What says that requirements were dropped or missed, one sentence a kind.
+class OutcomeNotes {
+ public:
+  OutcomeNotes(std::span<const Requirement> requirements, SimilarityReport& report)
+      : requirements_(requirements), report_(report) {}
+
+  void add() {
+    constexpr double kMet = 1e-10;
+    add_where("dropped, for they follow from the others",
+              [](const RequirementOutcome& o) { return o.redundant; });
+    add_where("met with the opposite sign, which their equations cannot tell",
+              [](const RequirementOutcome& o) { return o.flipped; });
+    const std::size_t missed =
+        add_where("missed by more than 1e-10 of the box side",
+                  [](const RequirementOutcome& o) { return !(o.error <= kMet); });
+    if (missed > 0) report_.solve.converged = false;
+  }
+
+ private:
+  template <class Is>
+  std::size_t add_where(std::string_view what, Is&& is) {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    for (std::size_t i = requirements_.size(); i > 0; --i) {
+      if (!is(report_.requirements[i - 1])) continue;
+      ++count;
+      first = i - 1;
+    }
+    if (count > 0) {
+      report_.solve.notes.push_back(fmt::format("{} of {} requirements were {}; the first: {}, {}",
+                                                count, requirements_.size(), what, first,
+                                                describe(requirements_[first])));
+    }
+    return count;
+  }
+
+  std::span<const Requirement> requirements_;
+  SimilarityReport& report_;
+};
+
+}  // namespace
+
+Result<SimilaritySolution> SimilarityInterpolator::solve_required(
+    std::span<const Requirement> requirements, std::span<const Point> points,
+    std::span<const Point> reference, std::span<const Channel> channels,
+    const Context& context) const {
+  const SimilarityPrepared& prepared = *impl_;
+  if (requirements.empty()) {
+    auto plain = solve_like(reference, points, channels, context);
+    if (plain) plain->targets.assign(points.begin(), points.end());
+    return plain;
+  }
+  if (auto ok = check_input(prepared, reference, points); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  if (prepared.options.solver == SimilaritySolver::gauss_seidel) {
+    return fail(ErrorCode::invalid_argument,
+                "requirements need the solver conjugate gradients; gauss-seidel cannot keep them");
+  }
+  const Rules& rules = prepared.options.rules;
+  Mesh given = prepared.given;
+  given.points.assign(points.begin(), points.end());
+  Mesh control = prepared.refined;
+  control.points.resize(prepared.control_count());
+  auto equations = requirement_rows(control, rules, given, requirements, context);
+  if (!equations) return tl::make_unexpected(equations.error());
+  auto released = Elimination::build(prepared.elimination.limits(),
+                                     static_cast<Index>(prepared.control_count()), context,
+                                     equations->released);
+  if (!released) return tl::make_unexpected(released.error());
+  std::vector<Point>& targets = equations->targets;
+  auto found = find(prepared,
+                    {flat(std::span<const Point>(targets)), flat(reference), 3, true, *released,
+                     &*equations, requirements},
+                    context);
+  if (!found) return tl::make_unexpected(found.error());
+  control.points.resize(prepared.control_count());
+  std::copy(found->values.begin(), found->values.end(), flat(std::span(control.points)).begin());
+  // Nothing is missed at vertices that were let go.
+  const auto limits = prepared.elimination.limits().apply(context, control.points);
+  for (std::size_t v = 0; v < equations->released.size(); ++v) {
+    if (equations->released[v] != 0) targets[v] = limits[v];
+  }
+  SimilaritySolution solution = solution_of(prepared, *found, targets, context);
+  const double side = bounding_box(points).side();
+  auto outcomes =
+      requirement_outcomes(control, rules, *equations, requirements, side > 0 ? side : 1, context);
+  if (!outcomes) return tl::make_unexpected(outcomes.error());
+  solution.report.requirements = std::move(*outcomes);
+  for (std::size_t i = 0; i < found->redundant.size(); ++i) {
+    solution.report.requirements[i].redundant = found->redundant[i] != 0;
+  }
+  OutcomeNotes(requirements, solution.report).add();
+  solution.targets = std::move(targets);
+  if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
+    return tl::make_unexpected(ok.error());
   }
   return solution;
 }
@@ -291,9 +446,16 @@ Result<std::vector<Point>> SimilarityInterpolator::limit_positions(std::span<con
 Result<SimilarityInterpolated> interpolate_similar(const Mesh& mesh,
                                                    const SimilarityOptions& options,
                                                    const Context& context) {
+  return interpolate_required(mesh, {}, options, context);
+}
+
+Result<SimilarityInterpolated> interpolate_required(const Mesh& mesh,
+                                                    std::span<const Requirement> requirements,
+                                                    const SimilarityOptions& options,
+                                                    const Context& context) {
   const auto solver = SimilarityInterpolator::create(mesh, options, context);
   if (!solver) return tl::make_unexpected(solver.error());
-  auto solution = solver->solve(mesh.points, mesh.channels, context);
+  auto solution = solver->solve_required(requirements, mesh.points, {}, mesh.channels, context);
   if (!solution) return tl::make_unexpected(solution.error());
   SimilarityInterpolated result{solver->refined(), std::move(solution->report)};
   result.control.points = std::move(solution->points);

@@ -53,6 +53,15 @@ void annotate(Mesh& mesh, const Rules& rules) {
   mesh.annotate("refined", "1");
 }
 
+Mesh structure_of(const Mesh& mesh) {
+  Mesh structure;
+  structure.face_offsets = mesh.face_offsets;
+  structure.face_vertices = mesh.face_vertices;
+  structure.creases = mesh.creases;
+  structure.corners = mesh.corners;
+  return structure;
+}
+
 }  // namespace
 
 Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const SimilarityOptions& options,
@@ -97,6 +106,7 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
                             std::move(*refined),
                             std::move(stencil),
                             std::move(isolated),
+                            structure_of(mesh),
                             std::move(*elimination),
                             std::move(layout),
                             std::move(scalar)};

@@ -18,6 +18,7 @@ struct SimilarityPrepared {
   Mesh refined;                         ///< the given mesh after one step, annotated
   TiledRows stencil;                    ///< its vertices over the given ones
   std::vector<unsigned char> isolated;  ///< #given: no face, so not part of the surface
+  Mesh given;                           ///< its faces, creases and corners, without points
   Elimination elimination;
   std::unique_ptr<const PatchLayout> layout;
   /// Of the vectors or the fair form; directions depend on the points as well, and use this for

@@ -10,6 +10,7 @@
 #include "scheme/catmull_clark_neighbourhood.hpp"
 #include "scheme/catmull_clark_spline_patch.hpp"
 #include "scheme/catmull_clark_vertex_rows.hpp"
+#include "scheme/quarter.hpp"
 #include "scheme/surface_evaluator.hpp"
 
 namespace surpass::catmull_clark {
@@ -23,19 +24,6 @@ void scale(Mask& mask, double factor) {
 Index corner_at(double u, double v) {
   if ((u != 0 && u != 1) || (v != 0 && v != 1)) return kNone;
   return u == 0 ? (v == 0 ? 0 : 3) : (v == 0 ? 1 : 2);
-}
-
-// The quarter that holds (u, v), which become its parameters. Its corner 0 is that of the square,
-// so quarter k is turned by k right angles.
-Index quarter_of(double& u, double& v) {
-  const bool right = u > 0.5;
-  const bool upper = v > 0.5;
-  const double du = 2 * (right ? 1 - u : u);
-  const double dv = 2 * (upper ? 1 - v : v);
-  const Index k = upper ? (right ? 2 : 3) : (right ? 1 : 0);
-  u = k % 2 == 0 ? du : dv;
-  v = k % 2 == 0 ? dv : du;
-  return k;
 }
 
 // Derivatives by parameters that start at corner k of the square become those by the square's: they
@@ -79,7 +67,7 @@ class CatmullClarkFace final : public FaceEvaluator {
     }
     std::optional<PlaceRows> rows;
     while (!(rows = rows_without_refinement(*patch, u, v))) {
-      const Index quarter = quarter_of(u, v);
+      const Index quarter = enter_quarter(u, v);
       if (auto ok = enter(quarter, true); !ok) return tl::make_unexpected(ok.error());
     }
     for (std::size_t i = steps.size(); i > 0; --i) {

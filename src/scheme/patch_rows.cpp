@@ -139,12 +139,13 @@ bool regular_quad(const Topology& topology, const Sharpness& sharpness, Index f,
     const Index diagonal = topology.rotate(beside);  // in the face that only touches the corner
     const Index after = topology.rotate(diagonal);   // in the face across the side after
     if (k == 0) {
-      vertices[at++] = head(beside);
       vertices[at++] = across(beside);
+      vertices[at++] = head(diagonal);
     }
-    if (k < 3) vertices[at++] = head(diagonal);
     vertices[at++] = across(diagonal);
-    if (k < 3) vertices[at++] = across(after);
+    if (k == 3) break;
+    vertices[at++] = head(after);
+    vertices[at++] = across(after);
   }
   return true;
 }

@@ -21,7 +21,8 @@ PUBLIC_LAYER = {
     'result': 'parallel', 'context': 'parallel', 'version': 'parallel',
     'mesh': 'mesh', 'topology': 'mesh', 'repair': 'mesh',
     'scheme': 'scheme', 'refiner': 'scheme', 'evaluate': 'scheme', 'interpolate': 'interpolate',
-    'similarity': 'interpolate', 'quality': 'quality', 'fairness': 'quality', 'io': 'io',
+    'similarity': 'interpolate', 'requirements': 'interpolate',
+    'quality': 'quality', 'fairness': 'quality', 'io': 'io',
     'oracle': 'oracle', 'render': 'render', 'reconstruct': 'reconstruct',
 }
 OUTSIDE = ['apps', 'bindings', 'examples']  # public headers and their own files only

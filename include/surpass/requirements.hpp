@@ -1,0 +1,68 @@
+// What an interpolating surface shall do besides passing through the given vertices: normals,
+// derivatives and points anywhere, given vertices moved or let go.
+#pragma once
+
+#include <surpass/evaluate.hpp>
+#include <surpass/mesh.hpp>
+#include <surpass/topology.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surpass {
+
+/// One requirement, at a vertex of the given mesh or, where `vertex` is kNone, at a place on it. A
+/// position at a vertex takes the place of the given one.
+struct Requirement {
+  enum class Kind {
+    position,    ///< the surface passes through `value`
+    normal,      ///< the surface has the normal `value`, of any length but 0
+    direction,   ///< the derivative along `along` points in the direction `value`
+    derivative,  ///< the derivative along `along` is `value`
+    remove,      ///< the surface need not pass through `vertex`
+  };
+  Kind kind = Kind::position;
+  Index vertex = kNone;
+  SurfacePlace place = {};
+  Point value = {};
+  /// a du + b dv, by the parameters of the place; see SurfaceSample for what du and dv are where
+  /// the surface is irregular. At a vertex, of any face's corner there that has `towards` next.
+  std::array<double, 2> along = {1, 0};
+  /// At a vertex, for directions and derivatives: the neighbour along whose edge they go. The
+  /// derivative is by the parameter that has 1 in the middle of the edge.
+  Index towards = kNone;
+  bool operator==(const Requirement&) const = default;
+};
+
+/// "position", "normal", "direction", "derivative", "remove".
+[[nodiscard]] const char* name_of(Requirement::Kind kind);
+[[nodiscard]] Result<Requirement::Kind> requirement_kind_named(std::string_view name);
+
+/// In words, such as "normal at vertex 7".
+[[nodiscard]] std::string describe(const Requirement& requirement);
+
+/// A normal at every vertex where the surface has one: not at isolated vertices, bow-ties, corners,
+/// where creases of infinite sharpness meet or pass, and under edge_only at vertices of one face.
+/// Where `normals` (#V) has no direction, none is required. Fails where Topology::build does, and
+/// with `mismatch` if the sizes differ.
+[[nodiscard]] Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh,
+                                                                  const Rules& rules,
+                                                                  std::span<const Point> normals);
+
+/// What became of a requirement.
+struct RequirementOutcome {
+  bool redundant = false;  ///< it follows from the others, or from the given vertices
+  /// What is left of its equations on the final surface, relative to the box side: the distance of
+  /// positions, the difference of derivatives, the part of du and dv along the normal, the part of
+  /// the derivative across the direction.
+  double error = 0;
+  /// The angle to the normal or direction in radians, 0 to pi; 0 for other kinds.
+  double angle = 0;
+  /// The surface has the opposite normal or direction: its equations cannot tell. Or none at all.
+  bool flipped = false;
+};
+
+}  // namespace surpass

@@ -1,0 +1,121 @@
+#include "interpolate/independent_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <Eigen/SparseCholesky>
+
+namespace surpass {
+namespace {
+
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Products = Eigen::SparseMatrix<double>;
+using Factor = Eigen::SimplicialLDLT<Products>;
+
+constexpr double kSuspect = 1e-12;  // a squared distance
+// Keeps the decomposition going past dependent rows, whose pivots it becomes; far above the
+// rounding of products, far below what is suspect.
+constexpr double kShift = 1e-14;
+constexpr double kNoShare = 1e-12;
+
+Products products_of(const Rows& rows) {
+  const Products columns = rows.transpose();
+  return rows * columns;
+}
+
+Rows picked(const Rows& rows, const std::vector<int>& which) {
+  std::vector<Eigen::Triplet<double>> ones;
+  for (std::size_t k = 0; k < which.size(); ++k)
+    ones.emplace_back(static_cast<int>(k), which[k], 1);
+  Rows pick(static_cast<Eigen::Index>(which.size()), rows.rows());
+  pick.setFromTriplets(ones.begin(), ones.end());
+  return pick * rows;
+}
+
+// The row as a sum of the independent ones.
+DependentRow expressed(const Rows& rows, int row, const std::vector<int>& independent,
+                       const Rows& basis, const Factor& factor) {
+  Eigen::VectorXd rest = Eigen::VectorXd(rows.row(row).transpose());
+  DependentRow dependent{row, rest.norm(), {}};
+  if (independent.empty() || dependent.distance == 0) return dependent;
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(basis.rows());
+  for (int round = 0; round < 3; ++round) {  // each gives back the digits that squaring took
+    const Eigen::VectorXd more = factor.solve(Eigen::VectorXd(basis * rest));
+    shares += more;
+    rest -= basis.transpose() * more;
+  }
+  dependent.distance = rest.norm();
+  for (Eigen::Index k = 0; k < shares.size(); ++k) {
+    if (std::abs(shares[k]) > kNoShare) {
+      dependent.shares.emplace_back(independent[static_cast<std::size_t>(k)], shares[k]);
+    }
+  }
+  return dependent;
+}
+
+// Where a dependent row can change places with a later one of its sum, it does: of rows that repeat
+// each other, the first is to be kept.
+void prefer_earlier(IndependentRows& found) {
+  constexpr double kSound = 1e-3;  // as a divisor
+  for (std::size_t at = 0; at < found.dependent.size(); ++at) {
+    DependentRow& d = found.dependent[at];
+    std::size_t latest = d.shares.size();
+    for (std::size_t k = 0; k < d.shares.size(); ++k) {
+      if (d.shares[k].first < d.row || std::abs(d.shares[k].second) < kSound) continue;
+      if (latest == d.shares.size() || d.shares[k].first > d.shares[latest].first) latest = k;
+    }
+    if (latest == d.shares.size()) continue;
+    const auto [row, share] = d.shares[latest];
+    std::replace(found.independent.begin(), found.independent.end(), row, d.row);
+    d.shares[latest].first = std::exchange(d.row, row);
+    for (std::size_t k = 0; k < d.shares.size(); ++k) {
+      d.shares[k].second = k == latest ? 1 / share : -d.shares[k].second / share;
+    }
+    for (DependentRow& other : found.dependent) {
+      if (&other == &d) continue;
+      const auto in = std::find_if(other.shares.begin(), other.shares.end(),
+                                   [&, gone = row](const auto& s) { return s.first == gone; });
+      if (in == other.shares.end()) continue;
+      const double factor = in->second;
+      std::map<int, double> sum(other.shares.begin(), other.shares.end());
+      sum.erase(row);
+      for (const auto& [basis, weight] : d.shares) sum[basis] += factor * weight;
+      other.shares.assign(sum.begin(), sum.end());
+    }
+  }
+  std::sort(found.independent.begin(), found.independent.end());
+  std::sort(found.dependent.begin(), found.dependent.end(),
+            [](const DependentRow& a, const DependentRow& b) { return a.row < b.row; });
+}
+
+}  // namespace
+
+IndependentRows independent_rows(const Rows& rows) {
+  IndependentRows found;
+  if (rows.rows() == 0) return found;
+  Factor factor;
+  factor.setShift(kShift);
+  factor.compute(products_of(rows));
+  const Eigen::VectorXd pivots = factor.vectorD();
+  const auto& order = factor.permutationP().indices();
+  std::vector<int> suspects;
+  for (int i = 0; i < static_cast<int>(rows.rows()); ++i) {
+    const double pivot = order.size() == 0 ? pivots[i] : pivots[order[i]];
+    (pivot < kSuspect ? suspects : found.independent).push_back(i);
+  }
+  if (suspects.empty()) return found;
+  const Rows basis = picked(rows, found.independent);
+  if (!found.independent.empty()) {
+    factor.setShift(0);
+    factor.compute(products_of(basis));
+  }
+  for (const int row : suspects) {
+    found.dependent.push_back(expressed(rows, row, found.independent, basis, factor));
+  }
+  prefer_earlier(found);
+  return found;
+}
+
+}  // namespace surpass

@@ -1,0 +1,251 @@
+#include "interpolate/linear_constraints.hpp"
+
+#include <set>
+
+#include <Eigen/SparseCholesky>
+#include <fmt/format.h>
+
+#include "interpolate/independent_rows.hpp"
+
+namespace surpass {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// Of an equation's length. What is left of it by free points, or by other equations, is rounding if
+// it is shorter.
+constexpr double kNothing = 1e-9;
+// In units of the box: equations that are dropped must hold to this.
+constexpr double kHolds = 1e-10;
+
+int number(std::size_t i) { return static_cast<int>(i); }
+
+// Every equation over all control points, and over the free ones after elimination.
+struct BothRows {
+  Rows all;
+  Rows free;
+};
+
+BothRows both_rows(const RequirementRows& equations, const Elimination& elimination) {
+  Triplets all;
+  Triplets free;
+  for (std::size_t i = 0; i < equations.rows.size(); ++i) {
+    const RequirementRow& row = equations.rows[i];
+    const auto& weights = equations.weights[row.stencil];
+    for (std::size_t k = 0; k < weights.columns.size(); ++k) {
+      const Index j = weights.columns[k];
+      const auto add = [&](Triplets& to, Index column, double factor) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double w = factor * weights.values[k] * row.normal[c];
+          if (w != 0) to.emplace_back(number(i), number(std::size_t{3} * column + c), w);
+        }
+      };
+      add(all, j, 1);
+      const Index given = elimination.given_of(j);
+      if (given == kNone) {
+        add(free, j, 1);
+      } else {
+        elimination.for_each_coefficient(given, [&](Index f, double w) { add(free, f, w); });
+      }
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(equations.rows.size());
+  const auto width = static_cast<Eigen::Index>(std::size_t{3} * elimination.control_count());
+  BothRows rows{Rows(size, width), Rows(size, width)};
+  rows.all.setFromTriplets(all.begin(), all.end());
+  rows.free.setFromTriplets(free.begin(), free.end());
+  return rows;
+}
+
+Rows inverse_blocks(const FreePreconditioner& preconditioner, Index control_points) {
+  Triplets entries;
+  const std::size_t block = preconditioner.block_size();
+  for (std::size_t j = 0; j < control_points; ++j) {
+    const double* d = &preconditioner.inverse()[j * block];
+    constexpr std::array<std::array<std::size_t, 3>, 3> kUpper = {
+        {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (block == 1 && r != c) continue;
+        entries.emplace_back(number(3 * j + r), number(3 * j + c),
+                             block == 1 ? d[0] : d[kUpper[r][c]]);
+      }
+    }
+  }
+  const auto width = static_cast<Eigen::Index>(std::size_t{3} * control_points);
+  Rows blocks(width, width);
+  blocks.setFromTriplets(entries.begin(), entries.end());
+  return blocks;
+}
+
+std::string named(const std::set<std::size_t>& numbers, std::span<const Requirement> requirements) {
+  constexpr std::size_t kNamed = 6;
+  std::string text;
+  std::size_t count = 0;
+  for (const std::size_t i : numbers) {
+    if (count == kNamed) return text + fmt::format(" and {} more", numbers.size() - kNamed);
+    text += fmt::format("{}{} ({})", count == 0 ? "" : ", ", i, describe(requirements[i]));
+    ++count;
+  }
+  return text;
+}
+
+Place place_of(const Requirement& r) {
+  if (r.vertex != kNone) return {.vertex = r.vertex};
+  return {.face = r.place.face};
+}
+
+tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t last, double amount,
+                                    std::span<const Requirement> requirements) {
+  numbers.insert(last);
+  const std::string what =
+      numbers.size() == 1
+          ? fmt::format("requirement {} contradicts itself or the given vertices",
+                        named(numbers, requirements))
+          : fmt::format("requirements contradict each other: {}", named(numbers, requirements));
+  return fail(ErrorCode::singular,
+              fmt::format("{}; together they miss by {:.3g} of the box side", what, amount),
+              place_of(requirements[last]));
+}
+
+}  // namespace
+
+struct LinearConstraints::Contents {
+  const Elimination* elimination = nullptr;
+  Rows all;       // independent equations, each divided by the length of its free part
+  Rows free;      // the same over free points
+  Rows downward;  // inverse blocks times the transpose of `free`
+  Vector value;   // in the units of the solve
+  Vector absolute_value;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> products;
+  std::vector<unsigned char> redundant;
+
+  [[nodiscard]] Vector multipliers(const Vector& right) const {
+    Vector x = products.solve(right);
+    const Vector rest = right - free * (downward * x);  // once more for its digits
+    return x + products.solve(rest);
+  }
+};
+
+LinearConstraints::LinearConstraints(std::unique_ptr<Contents> contents)
+    : contents_(std::move(contents)) {}
+LinearConstraints::LinearConstraints(LinearConstraints&&) noexcept = default;
+LinearConstraints& LinearConstraints::operator=(LinearConstraints&&) noexcept = default;
+LinearConstraints::~LinearConstraints() = default;
+
+const std::vector<unsigned char>& LinearConstraints::redundant() const {
+  return contents_->redundant;
+}
+
+namespace {
+
+// Values of the equations in the units of the solve.
+double value_in_units(const RequirementRow& row, const Requirement& r,
+                      const LinearConstraints::Units& units) {
+  if (r.kind != Requirement::Kind::position) return row.value * units.scale;
+  double origin = 0;
+  for (std::size_t c = 0; c < 3; ++c) origin += row.normal[c] * units.origin[c];
+  return (row.value - origin) * units.scale;
+}
+
+}  // namespace
+
+Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equations,
+                                                   std::span<const Requirement> requirements,
+                                                   const FreeSystem& system,
+                                                   std::span<const double> targets,
+                                                   const Units& units) {
+  const Elimination& elimination = system.elimination;
+  const auto count = static_cast<Eigen::Index>(equations.rows.size());
+  BothRows rows = both_rows(equations, elimination);
+  // What the equations are where all free points are 0.
+  std::vector<double> fixed(std::size_t{3} * elimination.control_count(), 0.0);
+  elimination.meet(system.context, 3, targets, fixed);
+  const Eigen::Map<const Vector> start(fixed.data(), static_cast<Eigen::Index>(fixed.size()));
+  const Vector at_start = rows.all * start;
+  Vector value(count);
+  Vector absolute(count);
+  Vector factor(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const RequirementRow& row = equations.rows[static_cast<std::size_t>(i)];
+    value[i] = value_in_units(row, requirements[row.requirement], units);
+    absolute[i] = row.value;
+    const double length = rows.all.row(i).norm();
+    const double left = rows.free.row(i).norm();
+    factor[i] = left > kNothing * length ? 1 / left : 0;
+    if (factor[i] == 0 && std::abs(value[i] - at_start[i]) > kHolds) {
+      return contradiction({}, row.requirement, std::abs(value[i] - at_start[i]), requirements);
+    }
+  }
+  const Rows scaled = factor.asDiagonal() * rows.free;
+  const Vector wanted = factor.cwiseProduct(value - at_start);
+  const IndependentRows found = independent_rows(scaled);
+  if (system.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
+  for (const DependentRow& d : found.dependent) {
+    double rest = wanted[d.row];
+    std::set<std::size_t> others;
+    for (const auto& [other, share] : d.shares) {
+      rest -= share * wanted[other];
+      constexpr double kMatters = 1e-6;
+      if (std::abs(share) > kMatters) {
+        others.insert(equations.rows[static_cast<std::size_t>(other)].requirement);
+      }
+    }
+    if (factor[d.row] == 0) continue;
+    const std::size_t last = equations.rows[static_cast<std::size_t>(d.row)].requirement;
+    if (d.distance > kNothing) {
+      others.insert(last);
+      return fail(ErrorCode::singular,
+                  fmt::format("requirements are too nearly dependent to be met together: {}",
+                              named(others, requirements)),
+                  place_of(requirements[last]));
+    }
+    if (!(std::abs(rest) <= kHolds)) {
+      return contradiction(std::move(others), last, std::abs(rest), requirements);
+    }
+  }
+  auto contents = std::make_unique<Contents>();
+  contents->elimination = &elimination;
+  contents->redundant.assign(requirements.size(), 0);
+  for (const RequirementRow& row : equations.rows) contents->redundant[row.requirement] = 1;
+  const auto kept = static_cast<Eigen::Index>(found.independent.size());
+  Rows pick(kept, count);
+  Triplets picked;
+  for (Eigen::Index k = 0; k < kept; ++k) {
+    const int row = found.independent[static_cast<std::size_t>(k)];
+    picked.emplace_back(number(static_cast<std::size_t>(k)), row, factor[row]);
+    contents->redundant[equations.rows[static_cast<std::size_t>(row)].requirement] = 0;
+  }
+  pick.setFromTriplets(picked.begin(), picked.end());
+  contents->all = pick * rows.all;
+  contents->free = pick * rows.free;
+  contents->value = pick * value;
+  contents->absolute_value = pick * absolute;
+  const FreePreconditioner preconditioner(system);
+  contents->downward = inverse_blocks(preconditioner, elimination.control_count()) *
+                       Rows(contents->free.transpose());
+  contents->products.compute(contents->free * contents->downward);
+  if (contents->products.info() != Eigen::Success) {
+    return fail(ErrorCode::singular, "the requirements are too nearly dependent to be solved for");
+  }
+  return LinearConstraints(std::move(contents));
+}
+
+void LinearConstraints::clear(std::span<double> gradient) const {
+  Eigen::Map<Vector> g(gradient.data(), static_cast<Eigen::Index>(gradient.size()));
+  const Vector along = contents_->downward.transpose() * g;
+  g -= contents_->free.transpose() * contents_->multipliers(along);
+}
+
+void LinearConstraints::meet(const Context& context, std::span<double> x, bool in_units) const {
+  const Eigen::Map<const Vector> at(x.data(), static_cast<Eigen::Index>(x.size()));
+  const Vector& value = in_units ? contents_->value : contents_->absolute_value;
+  const Vector change = contents_->downward * contents_->multipliers(value - contents_->all * at);
+  std::vector<double> extended(change.data(), change.data() + change.size());
+  contents_->elimination->meet(context, 3, {}, extended);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += extended[i];
+}
+
+}  // namespace surpass

@@ -1,0 +1,55 @@
+// Further linear equations of the control points, beside those of the given vertices: rid of what
+// repeats or contradicts, and kept to while an energy is made small.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "interpolate/elimination.hpp"
+#include "interpolate/free_preconditioner.hpp"
+#include "interpolate/requirement_rows.hpp"
+
+namespace surpass {
+
+/// Numbers of control points are #control by 3. Equations that follow from others are dropped.
+class LinearConstraints {
+ public:
+  /// `origin` and `scale` take control points p to (p - origin) * scale, the units of the solve.
+  struct Units {
+    Point origin;
+    double scale;
+  };
+
+  /// Fails with `singular` if equations contradict each other or the given vertices, naming the
+  /// requirements, or are too nearly dependent; with `cancelled`. `targets` are those of the given
+  /// vertices in the units, #given by 3. Cost: two sparse Cholesky decompositions of the equations'
+  /// products. The elimination must outlive it.
+  static Result<LinearConstraints> build(const RequirementRows& equations,
+                                         std::span<const Requirement> requirements,
+                                         const FreeSystem& system, std::span<const double> targets,
+                                         const Units& units);
+  LinearConstraints(LinearConstraints&&) noexcept;
+  LinearConstraints& operator=(LinearConstraints&&) noexcept;
+  LinearConstraints(const LinearConstraints&) = delete;
+  LinearConstraints& operator=(const LinearConstraints&) = delete;
+  ~LinearConstraints();
+
+  /// Takes from a gradient what the equations forbid to follow: the preconditioned rest changes
+  /// none of them.
+  void clear(std::span<double> gradient) const;
+
+  /// The least change, by the preconditioner, after which the equations hold; the limits of the
+  /// given vertices stay. `in_units`: whether x is in the units of the solve.
+  void meet(const Context& context, std::span<double> x, bool in_units) const;
+
+  /// #requirements: 1 where all its equations were dropped.
+  [[nodiscard]] const std::vector<unsigned char>& redundant() const;
+
+ private:
+  struct Contents;
+  explicit LinearConstraints(std::unique_ptr<Contents> contents);
+  std::unique_ptr<Contents> contents_;
+};
+
+}  // namespace surpass

@@ -1,0 +1,70 @@
+#include "interpolate/requirement_outcomes.hpp"
+
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace surpass {
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+Vector vector_of(const Point& p) { return {p[0], p[1], p[2]}; }
+
+// 0 to pi; pi where there is no vector to measure.
+double angle_between(const Vector& a, const Vector& b) {
+  if (a.isZero(0) || b.isZero(0)) return std::acos(-1.0);
+  const Vector u = a.stableNormalized();
+  const Vector v = b.stableNormalized();
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>& along,
+                              const SurfaceSample& s, double side) {
+  RequirementOutcome outcome;
+  const Vector value = vector_of(r.value);
+  const Vector derivative = along[0] * vector_of(s.du) + along[1] * vector_of(s.dv);
+  const auto judge_angle = [&](const Vector& found) {
+    outcome.angle = angle_between(value, found);
+    outcome.flipped = outcome.angle > std::acos(-1.0) / 2;
+  };
+  switch (r.kind) {
+    case Requirement::Kind::position:
+      outcome.error = (vector_of(s.position) - value).norm() / side;
+      break;
+    case Requirement::Kind::normal: {
+      const Vector n = value.stableNormalized();
+      outcome.error =
+          std::max(std::abs(n.dot(vector_of(s.du))), std::abs(n.dot(vector_of(s.dv)))) / side;
+      judge_angle(vector_of(s.normal));
+      break;
+    }
+    case Requirement::Kind::direction: {
+      const Vector d = value.stableNormalized();
+      outcome.error = (derivative - derivative.dot(d) * d).norm() / side;
+      judge_angle(derivative);
+      break;
+    }
+    case Requirement::Kind::derivative: outcome.error = (derivative - value).norm() / side; break;
+    case Requirement::Kind::remove: break;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+Result<std::vector<RequirementOutcome>> requirement_outcomes(
+    const Mesh& control, const Rules& rules, const RequirementRows& equations,
+    std::span<const Requirement> requirements, double side, const Context& context) {
+  const auto surface = LimitSurface::create(control, rules, context);
+  if (!surface) return tl::make_unexpected(surface.error());
+  const auto samples = surface->evaluate(equations.places, context);
+  if (!samples) return tl::make_unexpected(samples.error());
+  std::vector<RequirementOutcome> outcomes(requirements.size());
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    outcomes[i] = outcome_of(requirements[i], equations.along[i], (*samples)[i], side);
+  }
+  return outcomes;
+}
+
+}  // namespace surpass

@@ -1,0 +1,14 @@
+// Whether a surface does what is required of it, by evaluating it.
+#pragma once
+
+#include "interpolate/requirement_rows.hpp"
+
+namespace surpass {
+
+/// `control`: the refined mesh with its points. `side` of the given points' box; errors are
+/// relative to it.
+[[nodiscard]] Result<std::vector<RequirementOutcome>> requirement_outcomes(
+    const Mesh& control, const Rules& rules, const RequirementRows& equations,
+    std::span<const Requirement> requirements, double side, const Context& context);
+
+}  // namespace surpass

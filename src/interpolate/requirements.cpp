@@ -1,0 +1,89 @@
+#include <surpass/requirements.hpp>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace surpass {
+namespace {
+
+constexpr std::array kKinds = {Requirement::Kind::position, Requirement::Kind::normal,
+                               Requirement::Kind::direction, Requirement::Kind::derivative,
+                               Requirement::Kind::remove};
+
+}  // namespace
+
+const char* name_of(Requirement::Kind kind) {
+  switch (kind) {
+    case Requirement::Kind::position: return "position";
+    case Requirement::Kind::normal: return "normal";
+    case Requirement::Kind::direction: return "direction";
+    case Requirement::Kind::derivative: return "derivative";
+    case Requirement::Kind::remove: return "remove";
+  }
+  return "unknown";
+}
+
+Result<Requirement::Kind> requirement_kind_named(std::string_view name) {
+  for (const Requirement::Kind kind : kKinds) {
+    if (name == name_of(kind)) return kind;
+  }
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("there is no requirement \"{}\"; there are position, normal, direction, "
+                          "derivative and remove",
+                          name));
+}
+
+std::string describe(const Requirement& r) {
+  if (r.vertex != kNone) {
+    const std::string towards =
+        r.towards == kNone ? "" : fmt::format(" towards vertex {}", r.towards);
+    return fmt::format("{} at vertex {}{}", name_of(r.kind), r.vertex, towards);
+  }
+  const std::string corner =
+      r.place.corner == kNone ? "" : fmt::format(", corner {}", r.place.corner);
+  return fmt::format("{} on face {}{} at ({:.6g}, {:.6g})", name_of(r.kind), r.place.face, corner,
+                     r.place.u, r.place.v);
+}
+
+Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh, const Rules& rules,
+                                                    std::span<const Point> normals) {
+  if (normals.size() != mesh.points.size()) {
+    return fail(ErrorCode::mismatch, fmt::format("{} normals were given for {} vertices",
+                                                 normals.size(), mesh.points.size()));
+  }
+  const auto topology = Topology::build(mesh);
+  if (!topology) return tl::make_unexpected(topology.error());
+  std::vector<int> sharp(mesh.points.size(), 0);
+  for (const Crease& crease : mesh.creases) {
+    const auto [a, b] = crease.vertices;
+    if (crease.sharpness < kInfinitelySharp || a >= sharp.size() || b >= sharp.size()) continue;
+    ++sharp[a];
+    ++sharp[b];
+  }
+  for (const Corner& corner : mesh.corners) {
+    if (corner.sharpness >= kInfinitelySharp && corner.vertex < sharp.size()) {
+      sharp[corner.vertex] += 2;
+    }
+  }
+  std::vector<Requirement> requirements;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const bool one_face = rules.boundary == Boundary::edge_only && topology->is_boundary(v) &&
+                          topology->faces_at(v) == 1;
+    const bool on_boundary = topology->is_boundary(v) && !topology->is_isolated(v);
+    const int allowed = on_boundary ? 0 : 1;  // one crease is a dart
+    if (topology->is_isolated(v) || topology->is_bowtie(v) || sharp[v] > allowed || one_face) {
+      continue;
+    }
+    const Point& n = normals[v];
+    const double length = std::hypot(n[0], n[1], n[2]);
+    if (!(length > 0) || !std::isfinite(length)) continue;
+    Requirement& r = requirements.emplace_back();
+    r.kind = Requirement::Kind::normal;
+    r.vertex = v;
+    r.value = n;
+  }
+  return requirements;
+}
+
+}  // namespace surpass
