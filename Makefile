@@ -39,6 +39,7 @@ papers: need-papers build/release/build.ninja  ## repeat the figures of the pape
 	@cmake --build build/release --target surpass_app -j $(JOBS)
 	@python3 tools/papers.py build/release/surpass "$(DATA)" docs/papers
 	@python3 tools/iterations.py build/release/surpass "$(DATA)" docs/papers/iterations.md
+	@python3 tools/reconstruction.py build/release/surpass "$(DATA)" docs/papers
 
 format: need-format  ## rewrite the sources in the project's format
 	@tools/sources.sh | xargs clang-format -i

@@ -1,10 +1,12 @@
 // surpass reconstruct POINTS -o MESH
 //
-// Read, reconstruct, interpolate, measure, write. Everything is computed before anything is written.
+// Read, reconstruct, interpolate, measure, write. Everything is computed before anything is
+// written.
+#include "command.hpp"
+
 #include <algorithm>
 #include <optional>
 
-#include "command.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -105,8 +107,7 @@ void Reconstruct::define_cleaning(Options& options) {
               "Which holes are filled; small: of up to 30 edges, if that is few for their piece")
       .default_text(name_of(options_.close))
       .group("Cleaning");
-  options
-      .add("--unused", unused_path_, "Also write the points that the mesh does not use")
+  options.add("--unused", unused_path_, "Also write the points that the mesh does not use")
       .type_name("FILE")
       .group("Output");
 }
@@ -169,10 +170,13 @@ void Reconstruct::take_optional_values() {
 Result<void> Reconstruct::run(Session& session) {
   take_optional_values();
   std::vector<std::string> further;
-  for (const std::string& path : {control_path_, surface_path_, unused_path_}) {
+  for (const std::string& path : {control_path_, surface_path_}) {
     if (!path.empty()) further.push_back(path);
   }
-  if (const auto ready = output_.prepare(session, {path_}, further); !ready) return ready;
+  std::vector<std::string> of_points;
+  if (!unused_path_.empty()) of_points.push_back(unused_path_);
+  if (const auto ready = output_.prepare(session, {path_}, further, of_points); !ready)
+    return ready;
   const Result<LoadedMesh> loaded = load_points(path_, from_, session);
   if (!loaded) return tl::make_unexpected(loaded.error());
   const Mesh& given = loaded->mesh;
@@ -212,8 +216,8 @@ Result<Interpolated> Reconstruct::interpolate_mesh(const Mesh& mesh, Session& se
   InterpolateOptions options;
   options.rules = rules_;
   options.tolerance = 1e-12;
-  Result<Interpolated> found = session.timed(
-      "interpolate", [&] { return interpolate(mesh, options, session.context); });
+  Result<Interpolated> found =
+      session.timed("interpolate", [&] { return interpolate(mesh, options, session.context); });
   if (!found) return found;
   const SolveReport& solved = found->report;
   const Result<Certificate> proof = session.timed(
@@ -226,9 +230,10 @@ Result<Interpolated> Reconstruct::interpolate_mesh(const Mesh& mesh, Session& se
                                      {"max", proof->max},
                                      {"mean", proof->mean}};
   session.console.notes(solved.notes);
-  session.console.say(fmt::format("vertices to the {} surface: max {:.3g} of the box side after {} "
-                                  "iterations",
-                                  name_of(rules_.scheme), proof->max, solved.iterations));
+  session.console.say(
+      fmt::format("vertices to the {} surface: max {:.3g} of the box side after {} "
+                  "iterations",
+                  name_of(rules_.scheme), proof->max, solved.iterations));
   if (!solved.converged || proof->max > solved.tolerance) {
     return fail(ErrorCode::not_converged,
                 fmt::format("the surface passes the vertices at {:.3g} of the box side, not within "

@@ -3,6 +3,7 @@
 #include <surpass/version.hpp>
 
 #include "command.hpp"
+#include "other_program.hpp"
 #ifdef SURPASS_ORACLE
 #include <surpass/oracle.hpp>
 #endif
@@ -21,7 +22,8 @@ std::string overview() {
     text += fmt::format("  {:13}{}\n", entry.name, entry.summary);
   }
   text +=
-      "\nFiles: OBJ, PLY, OFF, STL; '-' is the standard input or output. Data goes to stdout or "
+      "\nFiles: OBJ, PLY, OFF, STL, and XYZ for points; '-' is the standard input or output. Data "
+      "goes to stdout or "
       "to\n"
       "files, everything else to stderr.\n\n"
       "Exit codes:\n"
@@ -49,6 +51,12 @@ std::string version_text() {
 #else
   text += "  renderer  not built in\n";
 #endif
+  for (const CommandEntry& entry : commands()) {
+    if (entry.make != nullptr) continue;
+    text += fmt::format(
+        "  {}  {}\n", entry.name,
+        has_other_program(entry) ? fmt::format("surpass-{}", entry.name) : "not built in");
+  }
   return text;
 }
 

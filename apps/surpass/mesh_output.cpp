@@ -44,6 +44,12 @@ Result<void> check_folder(const std::string& path) {
 /// The formats that files can be written in, for messages.
 constexpr char kEndings[] = ".obj, .ply, .off or .stl";
 
+/// XYZ has no faces: a mesh is not meant to be written there.
+Format format_for_meshes(const std::string& path) {
+  const Format format = format_of_path(path);
+  return format == Format::xyz ? Format::automatic : format;
+}
+
 }  // namespace
 
 Result<void> check_paths(const std::vector<std::string>& inputs,
@@ -109,22 +115,31 @@ void MeshOutput::define(Options& options, const std::string& name, const std::st
 }
 
 Result<void> MeshOutput::prepare(const Session& session, const std::vector<std::string>& inputs,
-                                 const std::vector<std::string>& further_outputs) {
+                                 const std::vector<std::string>& further_outputs,
+                                 const std::vector<std::string>& point_outputs) {
   std::vector<std::string> outputs = {path_};
   outputs.insert(outputs.end(), further_outputs.begin(), further_outputs.end());
+  outputs.insert(outputs.end(), point_outputs.begin(), point_outputs.end());
   if (session.reporting()) outputs.push_back(session.report_path);
   if (const auto checked = check_paths(inputs, outputs, force_); !checked) return checked;
 
-  if (options_.format == Format::automatic) options_.format = format_of_path(path_);
+  if (options_.format == Format::automatic) options_.format = format_for_meshes(path_);
   if (options_.format == Format::automatic && path_ != "-") {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("'{}' does not name a format; end it in {}, or say --to FORMAT", path_,
                             kEndings));
   }
   for (const std::string& path : further_outputs) {
-    if (path != "-" && format_of_path(path) == Format::automatic) {
+    if (path != "-" && format_for_meshes(path) == Format::automatic) {
       return fail(ErrorCode::invalid_argument,
                   fmt::format("'{}' does not name a format; end it in {}", path, kEndings));
+    }
+  }
+  for (const std::string& path : point_outputs) {
+    if (path != "-" && format_of_path(path) == Format::automatic) {
+      return fail(
+          ErrorCode::invalid_argument,
+          fmt::format("'{}' does not name a format; end it in .ply, .xyz, .obj or .off", path));
     }
   }
   if (ascii_) options_.encoding = Encoding::ascii;

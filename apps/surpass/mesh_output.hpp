@@ -18,9 +18,10 @@ class MeshOutput {
   void define(Options& options, const std::string& name, const std::string& description);
 
   /// To be called before the work: checks this output, further ones and the report against the
-  /// inputs and each other, and settles the format.
+  /// inputs and each other, and settles the format. Point outputs may be XYZ files, others not.
   [[nodiscard]] Result<void> prepare(const Session& session, const std::vector<std::string>& inputs,
-                                     const std::vector<std::string>& further_outputs = {});
+                                     const std::vector<std::string>& further_outputs = {},
+                                     const std::vector<std::string>& point_outputs = {});
 
   /// The format of '-' where --to does not name one.
   void default_format(Format format_of_input);

@@ -70,19 +70,19 @@ struct ReconstructReport {
   /// Median distance of nearby parallel sheets in spacings, where there are such; else absent.
   std::optional<double> sheet_gap = {};
   unsigned smoothing_passes = 0;
-  bool smoothed_positions = false;    ///< vertices are not input points
-  double perimeter = 0;               ///< bound that was applied, in spacings; 0 where none
-  std::size_t dropped_pieces = 0;     ///< too small to be kept
+  bool smoothed_positions = false;  ///< vertices are not input points
+  double perimeter = 0;             ///< bound that was applied, in spacings; 0 where none
+  std::size_t dropped_pieces = 0;   ///< too small to be kept
   std::size_t filled_loops = 0;
-  std::size_t open_loops = 0;         ///< boundary loops left
-  std::size_t pieces = 0;             ///< connected components of the mesh
+  std::size_t open_loops = 0;  ///< boundary loops left
+  std::size_t pieces = 0;      ///< connected components of the mesh
   /// Handles of all pieces together, their boundary loops thought closed; absent where a vertex
   /// joins several fans of faces.
   std::optional<std::size_t> genus = {};
-  std::size_t full_vertices = 0;      ///< before simplification
+  std::size_t full_vertices = 0;  ///< before simplification
   std::size_t creases = 0;
   std::size_t corners = 0;
-  double polyhedron_max = 0;          ///< largest distance of a used point from the mesh
+  double polyhedron_max = 0;  ///< largest distance of a used point from the mesh
   double polyhedron_rms = 0;
   std::vector<std::string> warnings = {};
 };
@@ -135,8 +135,8 @@ struct LimitDistances {
 };
 
 /// Points that are vertices (`source`, #V numbers into `points`; or empty) are measured to their
-/// vertex's limit point, exactly. All others to the control mesh refined and moved to the limit, so
-/// finely that it has some 800,000 triangles. `unused` is ascending. In the units of the points.
+/// vertex's limit point, exactly. All others to the control mesh refined and moved to the limit, three
+/// times or until it would have more than 800,000 triangles. `unused` is ascending. In the units of the points.
 /// Errors: those of limit_mesh and point_distances.
 [[nodiscard]] Result<LimitDistances> limit_distances(std::span<const Point> points,
                                                      std::span<const Index> source,

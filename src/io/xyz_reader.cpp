@@ -75,10 +75,10 @@ bool XyzReader::keep(const char* start) {
   }
   if (width_ == 0) width_ = row_.size();
   if (row_.size() != width_) {
-    return scan_.fail(ErrorCode::syntax,
-                      fmt::format("this line has {} numbers where the lines before have {}",
-                                  row_.size(), width_),
-                      start);
+    return scan_.fail(
+        ErrorCode::syntax,
+        fmt::format("this line has {} numbers where the lines before have {}", row_.size(), width_),
+        start);
   }
   if (mesh_.points.size() == kNone - 1) {
     return scan_.fail(ErrorCode::too_large, "more than 4294967294 points", start);

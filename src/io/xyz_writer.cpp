@@ -12,7 +12,8 @@ Result<void> write_xyz(const Mesh& mesh, const WriteOptions& options, std::strin
   if (mesh.face_count() > 0) {
     notes.push_back(fmt::format("XYZ has no place for faces; {} left out", mesh.face_count()));
   }
-  const Channel* written[] = {find_channel(mesh, "normal", 3, 3), find_channel(mesh, "color", 3, 3)};
+  const Channel* written[] = {find_channel(mesh, "normal", 3, 3),
+                              find_channel(mesh, "color", 3, 3)};
   for (const Channel& channel : mesh.channels) {
     if (&channel != written[0] && &channel != written[1]) {
       note_lost("XYZ", "channel", channel.name, notes);

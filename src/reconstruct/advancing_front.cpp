@@ -1,9 +1,11 @@
 #include "reconstruct/advancing_front.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -21,7 +23,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Kernel>;
 using CellBase = CGAL::Advancing_front_surface_reconstruction_cell_base_3<Kernel>;
 using Delaunay =
-    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+    CGAL::Delaunay_triangulation_3<Kernel,
+                                   CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
 // Leaves CGAL's loops, which know no cancellation.
 struct Cancelled : std::exception {};
@@ -124,8 +127,14 @@ std::vector<Triangle> run_front(std::span<const Point> points, double perimeter,
   std::vector<Triangle> triangles;
   triangles.reserve(found.size());
   for (const auto& [a, b, c] : found) {
-    triangles.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
+    Triangle t = {static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    triangles.push_back(t);
   }
+  // CGAL's order follows addresses too, and so do the sides that pieces are seen from.
+  std::sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+    return std::tuple(a[0], std::minmax(a[1], a[2])) < std::tuple(b[0], std::minmax(b[1], b[2]));
+  });
   return triangles;
 }
 

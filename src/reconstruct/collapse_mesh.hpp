@@ -19,7 +19,9 @@ class CollapseMesh {
   [[nodiscard]] std::size_t face_count() const { return vertices_.size() / 3; }
   [[nodiscard]] bool is_gone(Index f) const { return gone_[f] != 0; }
   [[nodiscard]] Index vertex(Index corner) const { return vertices_[corner]; }
-  [[nodiscard]] static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+  [[nodiscard]] static Index next(Index corner) {
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+  }
 
   /// Calls visit(corner) for the corner at v of every face there.
   template <class Visit>

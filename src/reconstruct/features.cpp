@@ -62,8 +62,7 @@ std::vector<std::array<Index, 2>> without_short_curves(
 Features find_features(const Mesh& mesh, const Topology& topology, double degrees) {
   const double cosine = std::cos(degrees * M_PI / 180);
   Features features;
-  features.creases =
-      without_short_curves(sharp_edges(mesh, topology, cosine), mesh.points.size());
+  features.creases = without_short_curves(sharp_edges(mesh, topology, cosine), mesh.points.size());
   std::vector<std::array<Index, 2>> ends(mesh.points.size(), {kNone, kNone});
   std::vector<Index> count(mesh.points.size(), 0);
   const auto note = [&](Index v, Index w) {

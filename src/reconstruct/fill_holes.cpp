@@ -165,7 +165,8 @@ bool cut(const Mesh& mesh, const Edges& edges, const Polygon& polygon,
   return true;
 }
 
-// The new edges are added to `edges`, also if the loop is given up: they bar nothing but themselves.
+// The new edges are added to `edges`, also if the loop is given up: they bar nothing but
+// themselves.
 bool fill(const Mesh& mesh, Edges& edges, const Polygon& polygon,
           std::vector<std::array<Index, 3>>& triangles) {
   std::vector<Polygon> open = {polygon};
@@ -207,8 +208,8 @@ Polygon hole_of(const Mesh& mesh, const Topology& topology, const std::vector<In
     const auto face = mesh.face(topology.face(*h));
     const Vector3d a = as_vector(mesh.points[face[0]]);
     polygon.vertices.push_back(topology.head(*h));
-    polygon.beyond.push_back((as_vector(mesh.points[face[1]]) - a)
-                                 .cross(as_vector(mesh.points[face[2]]) - a));
+    polygon.beyond.push_back(
+        (as_vector(mesh.points[face[1]]) - a).cross(as_vector(mesh.points[face[2]]) - a));
   }
   return polygon;
 }
@@ -230,7 +231,8 @@ Result<Holes> fill_holes(Mesh& mesh, Closing closing, const Context& context) {
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const double done = static_cast<double>(i) / static_cast<double>(loops.size());
     context.report({.stage = "holes", .fraction = done});
-    if (context.cancelled()) return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
+    if (context.cancelled())
+      return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
     const Index piece = pieces.of_vertex[topology->head(loops[i].front())];
     if (closing == Closing::small && !is_small(loops[i].size(), sizes[piece])) continue;
     std::vector<std::array<Index, 3>> triangles;

@@ -9,7 +9,7 @@ namespace surpass {
 namespace {
 
 constexpr double kMostTriangles = 800000;
-constexpr int kMostLevels = 6;
+constexpr int kMostLevels = 3;  // chords of an eighth of an edge
 
 // Triangles of the limit mesh, about: each of the schemes makes four faces of one, from quads where
 // faces were no triangles before.

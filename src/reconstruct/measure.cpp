@@ -26,8 +26,8 @@ Result<double> spacing_of(const Cloud& cloud, const Neighbours& neighbours,
                           const Context& context) {
   constexpr std::size_t kNeighbours = 6;
   std::vector<double> means(cloud.points.size());
-  const auto done = for_points(
-      context, "spacing", means.size(), [&](std::size_t begin, std::size_t end) {
+  const auto done =
+      for_points(context, "spacing", means.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<Index> near;
         for (std::size_t i = begin; i < end; ++i) {
           neighbours.nearest(static_cast<Index>(i), kNeighbours, near);
@@ -48,16 +48,15 @@ Result<Roughness> roughness_of(const Cloud& cloud, const Neighbours& neighbours,
   const std::size_t count = std::min(n, kSamples);
   std::vector<double> deviations(count);
   std::vector<double> gaps(count);
-  const auto done =
-      for_points(context, "noise", count, [&](std::size_t begin, std::size_t end) {
-        std::vector<Index> near;
-        for (std::size_t k = begin; k < end; ++k) {
-          const auto i = static_cast<Index>(k * n / count);
-          neighbours.nearest(i, kNeighbours, near);
-          gaps[k] = gap_between_sheets(cloud.points, i, near) / spacing;
-          if (near.size() > 6) deviations[k] = fit_quadric(cloud.points, i, near).deviation / spacing;
-        }
-      });
+  const auto done = for_points(context, "noise", count, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> near;
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<Index>(k * n / count);
+      neighbours.nearest(i, kNeighbours, near);
+      gaps[k] = gap_between_sheets(cloud.points, i, near) / spacing;
+      if (near.size() > 6) deviations[k] = fit_quadric(cloud.points, i, near).deviation / spacing;
+    }
+  });
   if (!done) return tl::make_unexpected(done.error());
   std::vector<double> at_single_sheets;
   std::vector<double> sheets;

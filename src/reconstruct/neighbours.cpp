@@ -19,9 +19,8 @@ struct Neighbours::Tree {
     }
   };
   // NOLINTEND(readability-identifier-naming)
-  using Index3 =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Source>, Source, 3,
-                                          Index>;
+  using Index3 = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Source>,
+                                                     Source, 3, Index>;
   explicit Tree(std::span<const Point> points) : source{points}, index(3, source, {16}) {}
   Source source;
   Index3 index;

@@ -18,11 +18,11 @@ Vector3d as_vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
 struct Piece {
   bool open = false;
-  double area = 0;                      // twice, as the cross products are
-  Vector3d centre = Vector3d::Zero();   // of the faces, times area
-  Vector3d normal = Vector3d::Zero();   // sum of cross products
-  double along_normals = 0;             // of the points
-  double volume = 0;                    // six times, about the centre
+  double area = 0;                     // twice, as the cross products are
+  Vector3d centre = Vector3d::Zero();  // of the faces, times area
+  Vector3d normal = Vector3d::Zero();  // sum of cross products
+  double along_normals = 0;            // of the points
+  double volume = 0;                   // six times, about the centre
 };
 
 // Positive for a piece that may stay as it is.
@@ -51,7 +51,9 @@ void orient_pieces(Mesh& mesh, std::span<const Point> normals) {
   for (Index h = 0; h < topology->corner_count(); ++h) {
     if (topology->opposite(h) == kNone) pieces[sets.find(topology->face(h))].open = true;
   }
-  const auto corner = [&](Index f, std::size_t k) { return as_vector(mesh.points[mesh.face(f)[k]]); };
+  const auto corner = [&](Index f, std::size_t k) {
+    return as_vector(mesh.points[mesh.face(f)[k]]);
+  };
   for (Index f = 0; f < mesh.face_count(); ++f) {
     Piece& piece = pieces[sets.find(f)];
     const Vector3d a = corner(f, 0);

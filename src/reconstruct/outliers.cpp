@@ -11,8 +11,8 @@ namespace surpass::reconstruction {
 namespace {
 
 constexpr std::size_t kNeighbours = 12;
-constexpr double kFar = 1.8;       // root mean square distance, in spacings: suspicious
-constexpr double kVeryFar = 3;     // beyond what random samples of a surface show
+constexpr double kFar = 1.8;         // root mean square distance, in spacings: suspicious
+constexpr double kVeryFar = 3;       // beyond what random samples of a surface show
 constexpr double kOffSurface = 0.5;  // spacings from the neighbours' plane
 constexpr double kMostLeftOut = 0.1;
 

@@ -18,8 +18,10 @@ Result<void> for_points(const Context& context, std::string_view stage, std::siz
   constexpr std::size_t kBlock = 16384;  // some ten milliseconds of work
   constexpr std::size_t kChunk = 256;
   for (std::size_t first = 0; first < n; first += kBlock) {
-    context.report({.stage = stage, .fraction = static_cast<double>(first) / static_cast<double>(n)});
-    if (context.cancelled()) return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
+    context.report(
+        {.stage = stage, .fraction = static_cast<double>(first) / static_cast<double>(n)});
+    if (context.cancelled())
+      return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
     parallel::for_ranges(
         context, std::min(kBlock, n - first),
         [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); }, kChunk);

@@ -20,14 +20,15 @@ namespace {
 
 using namespace reconstruction;  // NOLINT(google-build-using-namespace): our own parts
 
-constexpr double kSmoothFrom = 0.15;     // noise in spacings
+constexpr double kSmoothFrom = 0.15;  // noise in spacings
 constexpr double kSmoothTwiceFrom = 0.5;
 constexpr double kOriginalBelow = 0.3;
-constexpr double kSheetsMayJoin = 1.5;   // spacings
+constexpr double kSheetsMayJoin = 1.5;  // spacings
 constexpr double kBoundWithOutliers = 8;
-constexpr double kSmallPiece = 0.005;    // of the faces
+constexpr double kUntie = 1e-4;        // spacings: nothing beside what scanners scatter
+constexpr double kSmallPiece = 0.005;  // of the faces
 constexpr std::size_t kBytesAPoint = 1700;
-constexpr char kSource[] = "source";     // a channel while vertices change their numbers
+constexpr char kSource[] = "source";  // a channel while vertices change their numbers
 
 Result<void> check(const ReconstructOptions& options) {
   const auto refuse = [](const char* what) {
@@ -50,8 +51,8 @@ Result<void> check(const ReconstructOptions& options) {
 
 Result<void> check_memory(std::size_t points) {
   const double needed = static_cast<double>(points) * kBytesAPoint;
-  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double there =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed <= 0.9 * there) return {};
   return fail(ErrorCode::too_large,
               fmt::format("{} points need about {:.1f} GB of memory, but there are {:.1f} GB; take "
@@ -66,9 +67,9 @@ class Run {
       : given_(points), channels_(channels), options_(options), context_(context) {}
 
   Result<Reconstruction> run() {
-    for (const auto step : {&Run::clean_points, &Run::leave_out_outliers, &Run::measure,
-                            &Run::smooth_points, &Run::connect, &Run::clean_mesh,
-                            &Run::simplify_mesh, &Run::finish}) {
+    for (const auto step :
+         {&Run::clean_points, &Run::leave_out_outliers, &Run::measure, &Run::smooth_points,
+          &Run::connect, &Run::clean_mesh, &Run::simplify_mesh, &Run::finish}) {
       if (const auto done = (this->*step)(); !done) return tl::make_unexpected(done.error());
     }
     warn();
@@ -99,7 +100,7 @@ class Run {
   const ReconstructOptions& options_;
   const Context& context_;
   Cloud cloud_;
-  double spacing_ = 0;           // in the cloud's box, as all lengths here
+  double spacing_ = 0;  // in the cloud's box, as all lengths here
   double share_of_sheets_ = 0;
   std::vector<Point> smoothed_;  // empty if they are not
   Mesh mesh_;                    // its points are in the cloud's box
@@ -124,8 +125,8 @@ Result<void> Run::leave_out_outliers() {
   const Neighbours neighbours(cloud_.points);
   const Result<double> spacing = spacing_of(cloud_, neighbours, context_);
   if (!spacing) return tl::make_unexpected(spacing.error());
-  auto found = find_outliers(cloud_, neighbours, *spacing, options_.outliers == Choice::on,
-                             context_);
+  auto found =
+      find_outliers(cloud_, neighbours, *spacing, options_.outliers == Choice::on, context_);
   if (!found) return tl::make_unexpected(found.error());
   report().outliers = static_cast<std::size_t>(std::count(found->begin(), found->end(), 1));
   if (report().outliers == 0) return {};
@@ -156,8 +157,8 @@ Result<void> Run::smooth_points() {
   constexpr double kManySheets = 0.2;
   const double noise = report().noise;
   const bool needed = noise > kSmoothFrom && share_of_sheets_ < kManySheets;
-  const bool wanted = options_.smoothing == Choice::on ||
-                      (options_.smoothing == Choice::automatic && needed);
+  const bool wanted =
+      options_.smoothing == Choice::on || (options_.smoothing == Choice::automatic && needed);
   if (!wanted || cloud_.points.size() < 7) return {};
   report().smoothing_passes = noise > kSmoothTwiceFrom ? 3 : 1;
   Result<std::vector<Point>> moved = smooth(cloud_, report().smoothing_passes, context_);
@@ -171,8 +172,9 @@ Result<void> Run::smooth_points() {
 
 Result<void> Run::connect() {
   report().perimeter = options_.perimeter.value_or(report().outliers > 0 ? kBoundWithOutliers : 0);
-  const auto triangles = advancing_front(smoothed_.empty() ? cloud_.points : smoothed_,
-                                         report().perimeter * spacing_, context_);
+  const std::vector<Point> sites =
+      untied(smoothed_.empty() ? cloud_.points : smoothed_, kUntie * spacing_);
+  const auto triangles = advancing_front(sites, report().perimeter * spacing_, context_);
   if (!triangles) return tl::make_unexpected(triangles.error());
   if (triangles->empty()) {
     return fail(ErrorCode::unsuitable_for_scheme,
@@ -186,6 +188,8 @@ Result<void> Run::connect() {
     source.values.push_back(static_cast<double>(v));
   }
   mesh_.channels = {std::move(source)};
+  // At once, so that nothing that follows depends on the sides that the front happened to take.
+  orient_pieces(mesh_, given_normals());
   return {};
 }
 
@@ -255,9 +259,9 @@ Result<void> Run::simplify_mesh() {
     features_ = find_features(mesh_, *topology, *options_.feature_angle);
   }
   if (!options_.tolerance && !options_.vertices) return {};
-  Result<Mesh> simple =
-      options_.tolerance ? simplify_within_tolerance(features_)
-                         : simplify(mesh_, features_, {.vertices = options_.vertices}, context_);
+  Result<Mesh> simple = options_.tolerance
+                            ? simplify_within_tolerance(features_)
+                            : simplify(mesh_, features_, {.vertices = options_.vertices}, context_);
   if (!simple) return tl::make_unexpected(simple.error());
   if (const auto measured = measure_polyhedron(*simple); !measured) return measured;
   mesh_ = std::move(*simple);
@@ -366,27 +370,29 @@ void Run::warn() {
         "lost, and handles or holes may be wrong",
         r.noise));
   }
-  const double share = static_cast<double>(r.unused) /
-                       static_cast<double>(r.points - r.not_finite - r.duplicates);
+  const double share =
+      static_cast<double>(r.unused) / static_cast<double>(r.points - r.not_finite - r.duplicates);
   if (share > 0.005) {
-    warnings.push_back(fmt::format("{} points ({:.1f} %) are not used by the mesh, of them {} as "
-                                   "outliers",
-                                   r.unused, 100 * share, r.outliers));
+    warnings.push_back(
+        fmt::format("{} points ({:.1f} %) are not used by the mesh, of them {} as "
+                    "outliers",
+                    r.unused, 100 * share, r.outliers));
   }
   if (options_.vertices && result_.mesh.vertex_count() > *options_.vertices) {
-    warnings.push_back(fmt::format("{} vertices are left, more than the {} asked for: further "
-                                   "collapses would spoil the mesh or exceed the tolerance",
-                                   result_.mesh.vertex_count(), *options_.vertices));
+    warnings.push_back(
+        fmt::format("{} vertices are left, more than the {} asked for: further "
+                    "collapses would spoil the mesh or exceed the tolerance",
+                    result_.mesh.vertex_count(), *options_.vertices));
   }
 }
 
 Result<void> check_channels(std::span<const Channel> channels, std::size_t points) {
   for (const Channel& channel : channels) {
     if (channel.values.size() == points * channel.width()) continue;
-    return fail(ErrorCode::mismatch,
-                fmt::format("channel '{}' has {} numbers, but {} points of {} each need {}",
-                            channel.name, channel.values.size(), points, channel.width(),
-                            points * channel.width()));
+    return fail(
+        ErrorCode::mismatch,
+        fmt::format("channel '{}' has {} numbers, but {} points of {} each need {}", channel.name,
+                    channel.values.size(), points, channel.width(), points * channel.width()));
   }
   return {};
 }

@@ -219,8 +219,7 @@ Result<Mesh> simplify(const Mesh& mesh, Features& features, const SimplifyLimits
   if (!topology) return tl::make_unexpected(topology.error());
   std::size_t goal = limits.vertices.value_or(0);
   if (limits.cost) {
-    const auto found =
-        vertices_without_length_guard(mesh, *topology, features, limits, context);
+    const auto found = vertices_without_length_guard(mesh, *topology, features, limits, context);
     if (!found) return tl::make_unexpected(found.error());
     goal = std::max(goal, *found);
   }

@@ -6,9 +6,12 @@
 namespace surpass::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide",
-                                            "check",       "inspect", "compare",
-                                            "quality",     "convert", "render"};
+const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide", "check",   "inspect",
+                                            "compare",     "quality", "convert",   "render",
+#ifdef SURPASS_RECONSTRUCT
+                                            "reconstruct"
+#endif
+};
 
 void expect_usage_error(const std::vector<std::string>& arguments, const std::string& sentence) {
   const Outcome outcome = surpass(arguments);
@@ -140,7 +143,7 @@ TEST(Usage, TheVersionNamesItsComponents) {
   const Outcome outcome = surpass({"--version"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out.find("surpass "), 0U);
-  for (const char* part : {"threads", "oracle", "renderer"}) {
+  for (const char* part : {"threads", "oracle", "renderer", "reconstruct"}) {
     EXPECT_NE(outcome.out.find(part), std::string::npos);
   }
 }

@@ -34,10 +34,10 @@ std::vector<Seed> corpus() {
 
 TEST(Fuzz, CorpusAsEveryFormat) {
   const std::vector<Seed> seeds = corpus();
-  ASSERT_GE(seeds.size(), 12U);
+  ASSERT_GE(seeds.size(), 13U);
   for (const Seed& seed : seeds) {
     for (const Format format :
-         {Format::automatic, Format::obj, Format::ply, Format::off, Format::stl}) {
+         {Format::automatic, Format::obj, Format::ply, Format::off, Format::stl, Format::xyz}) {
       EXPECT_EQ(complaint_about(seed.bytes, format), "") << seed.name << " as " << name_of(format);
     }
   }
