@@ -17,7 +17,8 @@ namespace surpass {
 /// How L x = v is solved; L takes control points to limit points.
 enum class Solver {
   automatic,   ///< by what is proven of the mesh's operator (the default): chebyshev where a
-               ///< bound is, conjugate_gradient or minimal_residual where only symmetry is,
+               ///< bound is, conjugate_gradient (in large blocks after a try of chebyshev) or
+               ///< minimal_residual where only symmetry is,
                ///< chebyshev or bicgstab with darts and semi-sharp creases
   chebyshev,   ///< Chebyshev acceleration of the paper's iteration
   richardson,  ///< the paper's iteration, x <- x + (v - L x)
