@@ -16,6 +16,7 @@
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "rules_option.hpp"
+#include "similar.hpp"
 #include "solve_report.hpp"
 #include "solver_options.hpp"
 #include "vertex_list.hpp"
@@ -30,11 +31,13 @@ class Interpolate : public Command {
   Result<void> run(Session& session) override;
 
  private:
+  [[nodiscard]] Result<void> check_method();
   Result<void> choose_options(const Mesh& given, Session& session);
-  Result<SolveReport> solve(const Interpolator& solver, Mesh& mesh, std::vector<Point>& given,
-                            Session& session) const;
-  Result<Verdict> verify(const Interpolator& solver, const Mesh& control,
-                         std::span<const Point> given, Session& session) const;
+  Result<void> prepare(const Mesh& given, Session& session);
+  Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given, Session& session) const;
+  [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,
+                                                           const Session& session) const;
+  Result<Verdict> verify(const Mesh& control, std::span<const Point> given, Session& session) const;
   Result<Certificate> certify_listed(const std::vector<Point>& limit,
                                      std::span<const Point> given) const;
   [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
@@ -43,7 +46,10 @@ class Interpolate : public Command {
   MeshInput input_;
   MeshOutput output_;
   RulesOption rules_;
+  Method method_ = Method::progressive;
   InterpolateOptions options_;
+  Similar similar_;
+  std::optional<Interpolator> solver_;  ///< of the progressive method
   std::string only_path_;
   std::optional<std::vector<Index>> certified_;  ///< all vertices, if there is no list
   std::string surface_path_;
@@ -61,12 +67,22 @@ void Interpolate::define(Options& options) {
            "Also write the limit surface: the control mesh refined and moved to the limit")
       .type_name("FILE")
       .group("Surface");
-  add_levels(options, levels_, "Refinement steps of --surface").group("Surface");
+  add_levels(options, levels_, "Refinement steps of --surface, from the control mesh on")
+      .group("Surface");
+  options
+      .choice("--method", method_, {Method::progressive, Method::similarity, Method::fair},
+              "progressive: the only control mesh of the given topology, where there is one; "
+              "similarity and fair: of the given mesh refined once, and of all these the one whose "
+              "surface resembles a reference, by default that of the given mesh itself, or is "
+              "fair (thin plate, membrane); they never fail to interpolate")
+      .default_text(name_of(method_))
+      .group("Surface");
   add_solver_options(options, options_);
   options
       .add("--max-iterations", options_.max_iterations,
-           "Most evaluations of the limit, for curves and surface each")
-      .in_range(1, 1000000000)
+           "Most evaluations of the limit, for curves and surface each; for similarity and fair "
+           "most iterations, and 0 will do")
+      .in_range(0, 1000000000)
       .type_name("N")
       .default_text(std::to_string(options_.max_iterations))
       .group("Solver");
@@ -99,6 +115,7 @@ void Interpolate::define(Options& options) {
             "Write the mesh even if the tolerance was not reached; the exit code stays 4")
       .group("Output");
   add_oracle(options, oracle_);
+  similar_.define(options);
   options.examples(
       "If the tolerance is not reached, no mesh is written and the exit code is 4; the report is\n"
       "written either way.\n\n"
@@ -108,11 +125,15 @@ void Interpolate::define(Options& options) {
       "  surpass interpolate quads.obj -o control.obj --triangulate --tolerance 1e-12\n"
       "  surpass interpolate open.off -o control.off --boundary hoppe --solver richardson \\\n"
       "      --report run.json\n"
+      "  surpass interpolate cube.obj -o control.obj --method similarity\n"
+      "  surpass interpolate scan.ply -o control.ply --method fair --membrane 0.1\n"
       "  cat given.off | surpass interpolate - -o - > control.off\n");
 }
 
 Result<void> Interpolate::run(Session& session) {
-  std::vector<std::string> inputs = {input_.path()};
+  if (const auto checked = check_method(); !checked) return checked;
+  std::vector<std::string> inputs = similar_.inputs();
+  inputs.insert(inputs.begin(), input_.path());
   if (!only_path_.empty()) inputs.push_back(only_path_);
   std::vector<std::string> surfaces;
   if (!surface_path_.empty()) surfaces.push_back(surface_path_);
@@ -125,20 +146,17 @@ Result<void> Interpolate::run(Session& session) {
   output_.default_format(loaded->format);
   if (const auto chosen = choose_options(mesh, session); !chosen) return chosen;
 
-  const Result<Interpolator> solver = session.timed(
-      "topology", [&] { return Interpolator::create(mesh, options_, session.context); });
-  if (!solver) return tl::make_unexpected(solver.error());
-  const bool all = options_.only.empty() && options_.skip_components.empty();
-  if (!all) certified_ = solver->interpolated();
+  const Index vertices = mesh.vertex_count();
+  if (const auto prepared_solver = prepare(mesh, session); !prepared_solver) return prepared_solver;
   std::vector<Point> given;
-  const Result<SolveReport> solved = solve(*solver, mesh, given, session);
+  const Result<SolveReport> solved = solve(mesh, given, session);
   if (!solved) return tl::make_unexpected(solved.error());
-  const Result<Verdict> verdict = verify(*solver, mesh, given, session);
+  const Result<Verdict> verdict = verify(mesh, given, session);
   if (!verdict) return tl::make_unexpected(verdict.error());
   if (!solved->solver.empty()) session.report["solver"] = solved->solver;
   add_solve_report(*solved, *verdict, session.report);
   session.console.notes(solved->notes);
-  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), mesh.vertex_count(),
+  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), vertices,
                                   name_of(options_.rules.scheme),
                                   name_of(options_.rules.boundary)));
   session.console.say(fmt::format("{}, {:.3g} s", summary(*solved, *verdict), session.seconds()));
@@ -158,6 +176,12 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
                             "allow more with --max-iterations{}",
                             solved.tolerance, advice));
   }
+  if (method_ != Method::progressive) {
+    return fail(ErrorCode::not_converged,
+                fmt::format("the error is {:.3g} of the box side, above the tolerance {:.3g}; "
+                            "accept more with --tolerance{}",
+                            error, solved.tolerance, advice));
+  }
   return fail(ErrorCode::not_converged,
               fmt::format("the error is {:.3g} of the box side, above the tolerance {:.3g}, after "
                           "{} iterations; allow more with --max-iterations, accept more with "
@@ -165,9 +189,27 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
                           error, solved.tolerance, solved.iterations, advice));
 }
 
+/// Options that say nothing of the method are refused, not ignored.
+Result<void> Interpolate::check_method() {
+  if (const auto checked = similar_.check(method_); !checked) return checked;
+  if (method_ == Method::progressive) return {};
+  const Solver solver = options_.solver;
+  const char* wrong = options_.direct                     ? "--direct"
+                      : options_.full_history             ? "--history"
+                      : !only_path_.empty()               ? "--only"
+                      : !options_.skip_components.empty() ? "--skip-component"
+                      : solver != Solver::automatic && solver != Solver::conjugate_gradient &&
+                              solver != Solver::gauss_seidel
+                          ? "a --solver other than conjugate-gradient and gauss-seidel"
+                          : nullptr;
+  if (wrong == nullptr) return {};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} is for --method progressive, not for {}", wrong, name_of(method_)));
+}
+
 Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
   options_.rules = rules_.choose(given, session);
-  session.report["method"] = "progressive";
+  session.report["method"] = name_of(method_);
   session.report["solver"] = name_of(options_.solver);
   session.report["tolerance"] = options_.tolerance;
   if (const auto checked = check_oracle(oracle_, options_.rules); !checked) return checked;
@@ -183,23 +225,51 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
   return {};
 }
 
+Result<void> Interpolate::prepare(const Mesh& given, Session& session) {
+  if (method_ != Method::progressive) {
+    auto prepared = similar_.prepare(method_, options_, given, session);
+    if (!prepared || surface_path_.empty()) return prepared;
+    return check_levels(similar_.control(), levels_);
+  }
+  Result<Interpolator> solver = session.timed(
+      "topology", [&] { return Interpolator::create(given, options_, session.context); });
+  if (!solver) return tl::make_unexpected(solver.error());
+  solver_ = std::move(*solver);
+  const bool all = options_.only.empty() && options_.skip_components.empty();
+  if (!all) certified_ = solver_->interpolated();
+  return {};
+}
+
 /// Turns the given mesh into the control mesh; its points become `given`.
-Result<SolveReport> Interpolate::solve(const Interpolator& solver, Mesh& mesh,
-                                       std::vector<Point>& given, Session& session) const {
+Result<SolveReport> Interpolate::solve(Mesh& mesh, std::vector<Point>& given,
+                                       Session& session) const {
+  if (method_ != Method::progressive) {
+    Result<SolveReport> solved = similar_.solve(mesh, given, session);
+    if (solved) record(options_.rules, mesh);
+    return solved;
+  }
   Result<Solution> solution = session.timed(
-      "solve", [&] { return solver.solve(mesh.points, mesh.channels, session.context); });
+      "solve", [&] { return solver_->solve(mesh.points, mesh.channels, session.context); });
   if (!solution) return tl::make_unexpected(solution.error());
   given = std::exchange(mesh.points, std::move(solution->points));
   mesh.channels = std::move(solution->channels);
+  std::erase_if(mesh.annotations, [](const auto& a) { return a.first == "refined"; });
   record(options_.rules, mesh);
   return std::move(solution->report);
 }
 
-Result<Verdict> Interpolate::verify(const Interpolator& solver, const Mesh& control,
-                                    std::span<const Point> given, Session& session) const {
+/// Of the given vertices.
+Result<std::vector<Point>> Interpolate::limit_positions(std::span<const Point> control,
+                                                        const Session& session) const {
+  return solver_ ? solver_->limit_positions(control, session.context)
+                 : similar_.limit_positions(control, session.context);
+}
+
+Result<Verdict> Interpolate::verify(const Mesh& control, std::span<const Point> given,
+                                    Session& session) const {
   return session.timed("verify", [&]() -> Result<Verdict> {
     const auto certify = [&](std::span<const Point> points) -> Result<Certificate> {
-      const auto limit = solver.limit_positions(points, session.context);
+      const auto limit = limit_positions(points, session);
       if (!limit) return tl::make_unexpected(limit.error());
       return certify_listed(*limit, given);
     };

@@ -22,9 +22,14 @@ struct Certificate {
 };
 
 /// Evaluates the limit of `control` anew, from its faces, and compares. The two must have as many
-/// vertices. O(#corners).
+/// vertices; but where `control` is annotated "refined" = "1", as the control meshes of similarity
+/// interpolation are, the given vertices are its first ones. O(#corners).
 [[nodiscard]] Result<Certificate> certify(const Mesh& control, std::span<const Point> given,
                                           const Rules& rules, const Context& context = {});
+
+/// Whether a control mesh can be compared with so many given points, and how many of its vertices
+/// are not theirs: as certify() has it.
+[[nodiscard]] Result<void> check_vertex_counts(const Mesh& control, std::size_t given);
 
 /// The distances themselves: compares #V limit points with as many given ones.
 [[nodiscard]] Result<Certificate> compare_points(std::span<const Point> limit,

@@ -11,5 +11,6 @@
 #include <surpass/repair.hpp>
 #include <surpass/result.hpp>
 #include <surpass/scheme.hpp>
+#include <surpass/similarity.hpp>
 #include <surpass/topology.hpp>
 #include <surpass/version.hpp>

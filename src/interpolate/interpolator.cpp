@@ -305,6 +305,7 @@ Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& opt
   Interpolated result{mesh, std::move(solution->report)};
   result.control.points = std::move(solution->points);
   result.control.channels = std::move(solution->channels);
+  std::erase_if(result.control.annotations, [](const auto& a) { return a.first == "refined"; });
   result.control.annotate("scheme", name_of(options.rules.scheme));
   result.control.annotate("boundary", name_of(options.rules.boundary));
   if (options.rules.weights != Weights{}) {

@@ -225,10 +225,14 @@ Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const
 
 Result<Certificate> certify_with_opensubdiv(const Mesh& control, std::span<const Point> given,
                                             const Rules& rules) {
+  if (auto ok = check_vertex_counts(control, given.size()); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
   std::vector<std::string> notes;
   const auto limit = opensubdiv_limit_positions(control, rules, &notes);
   if (!limit) return tl::make_unexpected(limit.error());
-  auto certificate = compare_points(*limit, given, opensubdiv_version());
+  auto certificate =
+      compare_points(std::span(*limit).first(given.size()), given, opensubdiv_version());
   if (certificate) certificate->notes = std::move(notes);
   return certificate;
 }

@@ -6,6 +6,18 @@
 
 namespace surpass {
 
+Result<void> check_vertex_counts(const Mesh& control, std::size_t given) {
+  const std::size_t n = control.points.size();
+  if (n == given) return {};
+  const bool refined = control.annotation("refined") == "1";
+  if (refined && given < n) return {};
+  const char* reason = refined ? "it was refined once, from a mesh of fewer vertices"
+                               : "they must be the same vertices in the same order";
+  return fail(ErrorCode::mismatch,
+              fmt::format("the control mesh has {} vertices and the given mesh {}: {}", n, given,
+                          reason));
+}
+
 Result<Certificate> compare_points(std::span<const Point> limit, std::span<const Point> given,
                                    std::string evaluator) {
   if (limit.size() != given.size()) {
@@ -36,9 +48,12 @@ Result<Certificate> compare_points(std::span<const Point> limit, std::span<const
 
 Result<Certificate> certify(const Mesh& control, std::span<const Point> given, const Rules& rules,
                             const Context& context) {
+  if (auto ok = check_vertex_counts(control, given.size()); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
   const auto limit = limit_positions(control, rules, context);
   if (!limit) return tl::make_unexpected(limit.error());
-  return compare_points(*limit, given, "surpass");
+  return compare_points(std::span(*limit).first(given.size()), given, "surpass");
 }
 
 }  // namespace surpass

@@ -1,6 +1,6 @@
 // Catmull-Clark subdivision of any polygons. One file a method: catmull_clark_limit.cpp,
 // catmull_clark_refine.cpp (new vertices: the given ones, then one per edge, then one per face),
-// catmull_clark_normals.cpp.
+// catmull_clark_normals.cpp, catmull_clark_patch.cpp.
 #pragma once
 
 #include "scheme/subdivision_scheme.hpp"
@@ -23,6 +23,11 @@ class CatmullClark final : public SubdivisionScheme {
   [[nodiscard]] Spot spot(const Topology& topology, const Sharpness& sharpness,
                           Index v) const override;
   [[nodiscard]] LimitJet jet(const Mesh& mesh, const Topology& topology, Index v) const override;
+  [[nodiscard]] Result<SparseRows> given_limits(const Mesh& refined, const Topology& topology,
+                                                const Rules& rules, Index given,
+                                                const Context& context) const override;
+  [[nodiscard]] Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules,
+                                             int level) const override;
 };
 
 }  // namespace surpass::catmull_clark

@@ -156,6 +156,8 @@ Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& co
   auto step = scheme_of(rules.scheme).refinement(mesh, *topology, rules, context);
   if (!step) return tl::make_unexpected(step.error());
   apply_stencil(mesh, *step, context);
+  // It told how the mesh before was made from one that is given.
+  std::erase_if(step->mesh.annotations, [](const auto& a) { return a.first == "refined"; });
   return std::move(step->mesh);
 }
 
@@ -201,8 +203,27 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
   const auto values = flat(normals);
   mesh.channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
   std::erase_if(mesh.annotations, [](const auto& a) {
-    return a.first == "scheme" || a.first == "boundary" || a.first == "weights";
+    return a.first == "scheme" || a.first == "boundary" || a.first == "weights" ||
+           a.first == "refined";
   });
+}
+
+Result<SparseRows> SubdivisionScheme::given_limits(const Mesh& refined, const Topology& topology,
+                                                   const Rules& rules, Index given,
+                                                   const Context& context) const {
+  auto op = limit_operator(refined, topology, rules, context);
+  if (!op) return tl::make_unexpected(op.error());
+  return SparseRows::build(
+      context, given, [&](Index i) { return op->rows.row_length(i); },
+      [&](Index i, std::span<Index> columns, std::span<double> weights) {
+        std::copy_n(op->rows.row_columns(i).begin(), columns.size(), columns.begin());
+        std::copy_n(op->rows.row_weights(i).begin(), weights.size(), weights.begin());
+      });
+}
+
+Result<PatchKind> SubdivisionScheme::patch_kind(const Mesh&, const Rules&, int) const {
+  return fail(ErrorCode::unsuitable_for_scheme,
+              fmt::format("the derivatives of {} surfaces are not known to this version", title()));
 }
 
 Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rules, int levels,

@@ -4,6 +4,7 @@
 
 #include "scheme/limit_operator.hpp"
 #include "scheme/limit_samples.hpp"
+#include "scheme/patch_kind.hpp"
 
 namespace surpass {
 
@@ -36,6 +37,20 @@ class SubdivisionScheme {
                                                                  const Topology& topology,
                                                                  const Rules& rules,
                                                                  const Context& context) const = 0;
+
+  /// The limit points of the given vertices as rows over the vertices of the mesh that they were
+  /// refined to by one step. Here: the first `given` rows of its limit operator.
+  [[nodiscard]] virtual Result<SparseRows> given_limits(const Mesh& refined,
+                                                        const Topology& topology,
+                                                        const Rules& rules, Index given,
+                                                        const Context& context) const;
+
+  /// The derivatives of face 0 of a piece of a control mesh: that face and all that touch it, with
+  /// the creases and corners that touch it. `level` refinements lead to its samples. Columns are
+  /// the vertices of the piece. Derivatives that cannot be told are left out. Here: fails, for the
+  /// scheme has none.
+  [[nodiscard]] virtual Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules,
+                                                     int level) const;
 
   /// See surpass::limit_mesh. Here: the refined vertices, moved to their limits.
   [[nodiscard]] virtual Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,

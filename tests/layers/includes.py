@@ -19,7 +19,8 @@ MAY_INCLUDE = {
 PUBLIC_LAYER = {
     'result': 'parallel', 'context': 'parallel', 'version': 'parallel',
     'mesh': 'mesh', 'topology': 'mesh', 'repair': 'mesh',
-    'scheme': 'scheme', 'interpolate': 'interpolate', 'quality': 'quality', 'fairness': 'quality', 'io': 'io',
+    'scheme': 'scheme', 'interpolate': 'interpolate', 'similarity': 'interpolate', 'quality': 'quality',
+    'fairness': 'quality', 'io': 'io',
     'oracle': 'oracle', 'render': 'render',
 }
 OUTSIDE = ['apps', 'bindings', 'examples']  # public headers and their own files only

@@ -6,8 +6,6 @@
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 
-#include "osd_refiner.hpp"
-
 namespace surpass::test {
 namespace {
 
@@ -22,31 +20,7 @@ struct Value {
   }
 };
 
-struct Walk {
-  std::vector<Value> values;
-  std::vector<Index> descendant;
-};
-
-Walk walk(const Far::TopologyRefiner& refiner, const Mesh& mesh, int levels) {
-  Walk w;
-  for (const Point& p : mesh.points) w.values.push_back({p});
-  for (Index v = 0; v < mesh.vertex_count(); ++v) w.descendant.push_back(v);
-  const Far::PrimvarRefinerReal<double> primvars(refiner);
-  for (int level = 1; level <= levels; ++level) {
-    std::vector<Value> next(static_cast<std::size_t>(refiner.GetLevel(level).GetNumVertices()));
-    primvars.Interpolate(level, w.values, next);
-    for (Index& v : w.descendant) {
-      v = static_cast<Index>(refiner.GetLevel(level - 1).GetVertexChildVertex(static_cast<int>(v)));
-    }
-    w.values = std::move(next);
-  }
-  return w;
-}
-
-}  // namespace
-
-std::unique_ptr<Far::TopologyRefiner> osd_refiner(const Mesh& mesh, const Rules& rules,
-                                                  int levels) {
+std::unique_ptr<Far::TopologyRefiner> base_of(const Mesh& mesh, const Rules& rules) {
   std::vector<int> sizes;
   for (Index f = 0; f < mesh.face_count(); ++f)
     sizes.push_back(static_cast<int>(mesh.face(f).size()));
@@ -81,16 +55,46 @@ std::unique_ptr<Far::TopologyRefiner> osd_refiner(const Mesh& mesh, const Rules&
   const Sdc::SchemeType type =
       rules.scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-  std::unique_ptr<Far::TopologyRefiner> refiner(
-      Factory::Create(d, Factory::Options(type, options)));
+  return std::unique_ptr<Far::TopologyRefiner>(Factory::Create(d, Factory::Options(type, options)));
+}
+
+std::unique_ptr<Far::TopologyRefiner> refiner_of(const Mesh& mesh, const Rules& rules, int levels) {
+  auto refiner = base_of(mesh, rules);
   Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;
   refiner->RefineUniform(uniform);
   return refiner;
 }
 
+struct Walk {
+  std::vector<Value> values;
+  std::vector<Index> descendant;
+};
+
+Walk walk(const Far::TopologyRefiner& refiner, const Mesh& mesh, int levels) {
+  Walk w;
+  for (const Point& p : mesh.points) w.values.push_back({p});
+  for (Index v = 0; v < mesh.vertex_count(); ++v) w.descendant.push_back(v);
+  const Far::PrimvarRefinerReal<double> primvars(refiner);
+  for (int level = 1; level <= levels; ++level) {
+    std::vector<Value> next(static_cast<std::size_t>(refiner.GetLevel(level).GetNumVertices()));
+    primvars.Interpolate(level, w.values, next);
+    for (Index& v : w.descendant) {
+      v = static_cast<Index>(refiner.GetLevel(level - 1).GetVertexChildVertex(static_cast<int>(v)));
+    }
+    w.values = std::move(next);
+  }
+  return w;
+}
+
+}  // namespace
+
+std::unique_ptr<Far::TopologyRefiner> osd_refiner(const Mesh& mesh, const Rules& rules) {
+  return base_of(mesh, rules);
+}
+
 OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels) {
-  const auto refiner = osd_refiner(mesh, rules, levels);
+  const auto refiner = refiner_of(mesh, rules, levels);
   const Walk w = walk(*refiner, mesh, levels);
   OsdRefined refined;
   for (const Value& value : w.values) refined.points.push_back(value.p);
@@ -99,7 +103,7 @@ OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels) {
 }
 
 std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules) {
-  const auto refiner = osd_refiner(mesh, rules, 1);
+  const auto refiner = refiner_of(mesh, rules, 1);
   const Walk w = walk(*refiner, mesh, 1);
   std::vector<Value> limit(w.values.size());
   std::vector<Value> first(w.values.size());

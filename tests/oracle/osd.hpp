@@ -1,7 +1,10 @@
 // OpenSubdiv as a second opinion: refined points and tangents of the given vertices.
 #pragma once
 
+#include <memory>
 #include <vector>
+
+#include <opensubdiv/far/topologyRefiner.h>
 
 #include "support/meshes.hpp"
 
@@ -14,6 +17,9 @@ struct OsdRefined {
   std::vector<Index> descendant;  ///< #V of the given mesh
 };
 OsdRefined osd_refine(const Mesh& mesh, const Rules& rules, int levels);
+
+/// OpenSubdiv's own view of the mesh, not refined yet.
+std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_refiner(const Mesh& mesh, const Rules& rules);
 
 /// Unit limit normals at the given vertices, from OpenSubdiv's limit tangents after one refinement.
 std::vector<Point> osd_normals(const Mesh& mesh, const Rules& rules);

@@ -64,6 +64,74 @@ TEST(Laws, AffineInvariance) {
   });
 }
 
+SimilarityOptions solved_well(Similarity similarity, const Rules& rules) {
+  SimilarityOptions options;
+  options.rules = rules;
+  options.similarity = similarity;
+  options.solver_tolerance = 1e-13;
+  options.max_iterations = 20000;
+  return options;
+}
+
+// The vectors and the fair form see each coordinate alone and treat all the same; without scaling
+// they do not know how the coordinates lie.
+TEST(Laws, SimilarityOfVectorsIsAffinelyInvariant) {
+  test::check("similar affine", 20, [] {
+    const auto [mesh, rules] = test::any_case(true, Scheme::catmull_clark);
+    SimilarityOptions options =
+        solved_well(*rc::gen::element(Similarity::vectors, Similarity::fair), rules);
+    options.scaling = Scaling::none;
+    const auto control = interpolate_similar(mesh, options);
+    const auto moved = interpolate_similar(transformed(mesh), options);
+    RC_ASSERT(control && moved);
+    const Mesh expected = transformed(control->control);
+    RC_ASSERT(test::max_distance(moved->control.points, expected.points) < 1e-10);
+  });
+}
+
+// Directions know lengths and angles; all forms know the axes by their scaling.
+TEST(Laws, SimilarityIsInvariantUnderScaleAndTranslation) {
+  test::check("similar scale", 20, [] {
+    const auto [mesh, rules] = test::any_case(false, Scheme::catmull_clark);
+    SimilarityOptions options = solved_well(
+        *rc::gen::element(Similarity::vectors, Similarity::directions, Similarity::fair), rules);
+    options.row_weights = *rc::gen::element(RowWeights::none, RowWeights::regularised);
+    options.scaling = *rc::gen::element(Scaling::none, Scaling::per_axis, Scaling::isotropic);
+    options.solver_tolerance = 1e-2;
+    const auto moved = [](Mesh m) {
+      for (Point& p : m.points) p = {64 * p[0] + 32, 64 * p[1] - 16, 64 * p[2]};
+      return m;
+    };
+    const auto control = interpolate_similar(mesh, options);
+    const auto found = interpolate_similar(moved(mesh), options);
+    RC_ASSERT(control && found);
+    const Mesh expected = moved(control->control);
+    RC_ASSERT(test::max_distance(found->control.points, expected.points) < 64 * 1e-11);
+  });
+}
+
+TEST(Laws, SimilarityDoesNotSeeVertexNumbers) {
+  test::check("similar permutation", 20, [] {
+    const auto [mesh, rules] = test::any_case(true, Scheme::catmull_clark);
+    const auto to = shuffled_numbers(mesh.vertex_count(), *rc::gen::arbitrary<std::uint64_t>());
+    SimilarityOptions options =
+        solved_well(*rc::gen::element(Similarity::vectors, Similarity::fair), rules);
+    const auto a = interpolate_similar(mesh, options);
+    const auto b = interpolate_similar(renumbered(mesh, to), options);
+    RC_ASSERT(a && b);
+    // Faces keep their order and their points come last.
+    const auto point = [](const Mesh& m, Index from_end) {
+      return m.points[m.points.size() - 1 - from_end];
+    };
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      RC_ASSERT(test::max_distance({a->control.points[v]}, {b->control.points[to[v]]}) < 1e-9);
+    }
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      RC_ASSERT(test::max_distance({point(a->control, f)}, {point(b->control, f)}) < 1e-9);
+    }
+  });
+}
+
 TEST(Laws, VertexNumbersDoNotMatter) {
   test::check("permutation", 30, [] {
     const auto [mesh, rules] = test::any_case(true);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.hpp"
+#include "support/polygons.hpp"
 
 namespace surpass {
 namespace {
@@ -82,6 +83,29 @@ TEST(Threads, EverySchemeHasTheSameBits) {
     ASSERT_TRUE(many);
     EXPECT_EQ(one->control, many->control) << name_of(scheme);
     EXPECT_EQ(one->report.final.max, many->report.final.max);
+  }
+}
+
+TEST(Threads, SimilarityHasTheSameBits) {
+  for (const Similarity similarity :
+       {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+    SimilarityOptions options;
+    options.similarity = similarity;
+    Context context;
+    context.threads = 1;
+    Mesh mesh = refine(test::random_polygons({.seed = 17, .kind = 3, .size = 10}),
+                       {Scheme::catmull_clark}, 2)
+                    .value();
+    const auto one = interpolate_similar(mesh, options, context);
+    ASSERT_TRUE(one) << describe(one.error());
+    EXPECT_GT(one->report.solve.iterations, 2U);
+    for (const int threads : {2, 3, 8}) {
+      context.threads = threads;
+      const auto many = interpolate_similar(mesh, options, context);
+      ASSERT_TRUE(many);
+      EXPECT_EQ(one->control, many->control) << name_of(similarity) << ", " << threads;
+      EXPECT_EQ(one->report.residual, many->report.residual);
+    }
   }
 }
 

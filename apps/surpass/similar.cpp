@@ -1,0 +1,185 @@
+#include "similar.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mesh_input.hpp"
+
+namespace surpass::cli {
+
+const char* name_of(Method method) {
+  switch (method) {
+    case Method::progressive: return "progressive";
+    case Method::similarity: return "similarity";
+    case Method::fair: return "fair";
+  }
+  return "unknown";
+}
+
+void Similar::define(Options& options) {
+  const auto grouped = [](const Option& option) { return option.group("Similarity and fairing"); };
+  grouped(options.choice(
+      "--similarity", form_, {Similarity::vectors, Similarity::directions},
+      "What the surface has in common with the reference: vectors, its derivatives in direction "
+      "and length (ours, the default of the method similarity); directions, in direction alone "
+      "(the paper)"));
+  grouped(options.choice(
+      "--row-weights", row_weights_,
+      {RowWeights::none, RowWeights::unit, RowWeights::order, RowWeights::regularised},
+      "Weights of the derivatives under directions: none (the paper), unit (by their length in the "
+      "reference), order (by the mean length of their order), regularised (unit, bounded where "
+      "they vanish; the default)"));
+  grouped(options.choice(
+      "--scaling", scaling_, {Scaling::none, Scaling::per_axis, Scaling::isotropic},
+      "How the refined given mesh is stretched to the given box before it is the reference; by "
+      "default per-axis (the paper), and none with --reference"));
+  grouped(options
+              .add("--reference", reference_path_,
+                   "Another reference: a mesh with the faces of the given one, or of that refined "
+                   "once, whose surface is the one to resemble")
+              .type_name("MESH"));
+  samples_ = grouped(options
+                         .add("--samples", options_.samples,
+                              "Derivatives are sampled at this many points along the side of a "
+                              "patch: 3 (the paper), 5, 9 or 17")
+                         .in_range(3, 17)
+                         .type_name("N")
+                         .default_text(std::to_string(options_.samples)));
+  thin_plate_ = grouped(options
+                            .add("--thin-plate", options_.thin_plate,
+                                 "Weight of second derivatives under the method fair")
+                            .in_range(0.0, 1e6)
+                            .type_name("W")
+                            .default_text(fmt::format("{}", options_.thin_plate)));
+  membrane_ = grouped(
+      options
+          .add("--membrane", options_.membrane, "Weight of first derivatives under the method fair")
+          .in_range(0.0, 1e6)
+          .type_name("W")
+          .default_text(fmt::format("{}", options_.membrane)));
+  solver_tolerance_ =
+      grouped(options
+                  .add("--solver-tolerance", options_.solver_tolerance,
+                       "The solver ends when the residual is this part of what it was at the "
+                       "start; the surface interpolates whatever it is")
+                  .in_range(1e-15, 0.999)
+                  .type_name("T")
+                  .default_text(fmt::format("{}", options_.solver_tolerance)));
+}
+
+std::vector<std::string> Similar::inputs() const {
+  return reference_path_.empty() ? std::vector<std::string>() : std::vector{reference_path_};
+}
+
+Result<void> Similar::check(Method method) const {
+  struct Rule {
+    const char* name;
+    bool given;
+    bool similarity;
+    bool fair;
+  };
+  const std::array rules = {
+      Rule{"--similarity", form_.has_value(), true, false},
+      Rule{"--row-weights", row_weights_.has_value(), true, false},
+      Rule{"--scaling", scaling_.has_value(), true, true},
+      Rule{"--reference", !reference_path_.empty(), true, true},
+      Rule{"--samples", samples_.given(), true, true},
+      Rule{"--thin-plate", thin_plate_.given(), false, true},
+      Rule{"--membrane", membrane_.given(), false, true},
+      Rule{"--solver-tolerance", solver_tolerance_.given(), true, true},
+  };
+  for (const Rule& rule : rules) {
+    const bool fits =
+        (method == Method::similarity && rule.similarity) || (method == Method::fair && rule.fair);
+    if (!rule.given || fits) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} says nothing of the method {}; it is for --method {}", rule.name,
+                            name_of(method), rule.similarity ? "similarity" : "fair"));
+  }
+  if (row_weights_ && form_ != Similarity::directions) {
+    return fail(ErrorCode::invalid_argument,
+                "--row-weights is for --similarity directions; vectors have no weights");
+  }
+  return {};
+}
+
+Result<void> Similar::load_reference(const Mesh& given, Session& session) {
+  if (reference_path_.empty()) return {};
+  Result<LoadedMesh> loaded = load_mesh(reference_path_, Format::automatic, session);
+  if (!loaded) return tl::make_unexpected(loaded.error());
+  const Mesh& mesh = loaded->mesh;
+  const auto same_faces = [&](const Mesh& other) {
+    return mesh.face_offsets == other.face_offsets && mesh.face_vertices == other.face_vertices;
+  };
+  const bool same = mesh.points.size() == given.points.size() && same_faces(given);
+  if (!same && !same_faces(solver_->refined())) {
+    return fail(ErrorCode::mismatch,
+                fmt::format("{} has neither the faces of the given mesh nor those of that mesh "
+                            "refined once, vertex by vertex",
+                            reference_path_));
+  }
+  reference_ = std::move(loaded->mesh.points);
+  return {};
+}
+
+Result<void> Similar::prepare(Method method, const InterpolateOptions& common, const Mesh& given,
+                              Session& session) {
+  options_.rules = common.rules;
+  options_.tolerance = common.tolerance;
+  options_.max_iterations = common.max_iterations;
+  if (common.solver == Solver::gauss_seidel) options_.solver = SimilaritySolver::gauss_seidel;
+  options_.similarity =
+      method == Method::fair ? Similarity::fair : form_.value_or(Similarity::vectors);
+  options_.row_weights = row_weights_.value_or(options_.row_weights);
+  options_.scaling = scaling_.value_or(reference_path_.empty() ? Scaling::per_axis : Scaling::none);
+  session.report["solver"] = name_of(options_.solver);
+  auto solver = session.timed(
+      "topology", [&] { return SimilarityInterpolator::create(given, options_, session.context); });
+  if (!solver) {
+    Error error = solver.error();
+    if (error.code == ErrorCode::unsuitable_for_scheme && options_.rules.scheme == Scheme::loop) {
+      error.message += "; --scheme catmull-clark takes triangles, too";
+    }
+    return tl::make_unexpected(error);
+  }
+  solver_ = std::move(*solver);
+  return load_reference(given, session);
+}
+
+Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) const {
+  auto solution = session.timed("solve", [&] {
+    return solver_->solve_like(reference_, mesh.points, mesh.channels, session.context);
+  });
+  if (!solution) return tl::make_unexpected(solution.error());
+  const SimilarityReport& report = solution->report;
+  Json similarity = {{"form", name_of(options_.similarity)},
+                     {"scaling", name_of(options_.scaling)},
+                     {"scale", report.scale},
+                     {"samples", options_.samples},
+                     {"free_vertices", report.free_vertices},
+                     {"derivatives", report.derivatives},
+                     {"solver_tolerance", options_.solver_tolerance},
+                     {"residual", report.residual},
+                     {"residuals", report.residuals}};
+  if (options_.similarity == Similarity::directions) {
+    similarity["row_weights"] = name_of(options_.row_weights);
+  }
+  if (options_.similarity == Similarity::fair) {
+    similarity["thin_plate"] = options_.thin_plate;
+    similarity["membrane"] = options_.membrane;
+  }
+  session.report["similarity"] = std::move(similarity);
+  given = std::move(mesh.points);
+  mesh = solver_->refined();
+  mesh.points = std::move(solution->points);
+  mesh.channels = std::move(solution->channels);
+  solution->report.solve.notes.push_back(fmt::format(
+      "the control mesh is the given mesh refined once: {} vertices, of which the first {} are "
+      "those of the given mesh",
+      mesh.vertex_count(), given.size()));
+  return std::move(solution->report.solve);
+}
+
+}  // namespace surpass::cli

@@ -1,0 +1,63 @@
+// `interpolate --method similarity` and `--method fair`: their options, and the solve.
+#pragma once
+
+#include <surpass/similarity.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+#include "session.hpp"
+
+namespace surpass::cli {
+
+enum class Method { progressive, similarity, fair };
+[[nodiscard]] const char* name_of(Method method);
+
+class Similar {
+ public:
+  void define(Options& options);
+
+  /// The files that are read besides the given mesh.
+  [[nodiscard]] std::vector<std::string> inputs() const;
+
+  /// Fails if an option was given that says something of another method only. For
+  /// Method::progressive that is any option of these.
+  [[nodiscard]] Result<void> check(Method method) const;
+
+  /// Prepares the given mesh. What is chosen goes into the report. `common` are the options that
+  /// all methods have.
+  [[nodiscard]] Result<void> prepare(Method method, const InterpolateOptions& common,
+                                     const Mesh& given, Session& session);
+
+  /// The topology of the control mesh.
+  [[nodiscard]] const Mesh& control() const { return solver_->refined(); }
+
+  /// Turns the given mesh into the control mesh; its points become `given`.
+  [[nodiscard]] Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given,
+                                          Session& session) const;
+
+  [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,
+                                                           const Context& context) const {
+    return solver_->limit_positions(control, context);
+  }
+
+ private:
+  [[nodiscard]] Result<void> load_reference(const Mesh& given, Session& session);
+
+  std::optional<Similarity> form_;
+  std::optional<RowWeights> row_weights_;
+  std::optional<Scaling> scaling_;
+  SimilarityOptions options_;
+  std::string reference_path_;
+  std::vector<Point> reference_;
+  std::optional<SimilarityInterpolator> solver_;
+  Option thin_plate_;
+  Option membrane_;
+  Option samples_;
+  Option solver_tolerance_;
+};
+
+}  // namespace surpass::cli

@@ -1,0 +1,166 @@
+// Interpolation with freedom: the control mesh is the given one refined once, its new vertices are
+// free, and they are chosen so that the surface resembles another one, or is fair.
+#pragma once
+
+#include <surpass/interpolate.hpp>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace surpass {
+
+/// What the freedom is spent on. Sums run over the derivatives sampled on every patch; g is a
+/// derivative of the reference surface, q the same derivative of the surface looked for.
+enum class Similarity {
+  vectors,     ///< sum |q - g|^2: derivatives alike in direction and length
+  directions,  ///< sum w |g x q|^2: alike in direction (Lai and Cheng 2006)
+  fair,        ///< sum over w |q|^2: thin plate and membrane (Halstead, Kass, DeRose 1993)
+};
+
+/// The weight w of a derivative under Similarity::directions.
+enum class RowWeights {
+  none,         ///< 1 (the paper)
+  unit,         ///< 1 / |g|^2; 0 where |g|^2 is below 1e-24 of its mean over first derivatives
+  order,        ///< 1 / the mean of |g|^2 over the derivatives of the same order
+  regularised,  ///< 1 / (|g|^2 + 0.09 times the mean of |g|^2 over first derivatives)
+};
+
+/// How the refined given mesh becomes the reference: stretched, about the centre of its box, until
+/// the box of the limits of the given vertices is the box of the given vertices. Never by more than
+/// the factor 8; a side of length 0 stays.
+enum class Scaling {
+  none,
+  per_axis,   ///< (the paper)
+  isotropic,  ///< by the geometric mean of the three factors
+};
+
+/// How the linear system of the free vertices is solved.
+enum class SimilaritySolver {
+  conjugate_gradient,  ///< preconditioned by the diagonal (3 x 3 blocks for directions);
+                       ///< matrix-free
+  gauss_seidel,  ///< (the paper) on one thread, with the assembled matrix: several kilobytes a
+                 ///< vertex of the control mesh
+};
+
+[[nodiscard]] const char* name_of(Similarity similarity);
+[[nodiscard]] const char* name_of(RowWeights weights);
+[[nodiscard]] const char* name_of(Scaling scaling);
+[[nodiscard]] const char* name_of(SimilaritySolver solver);
+[[nodiscard]] Result<Similarity> similarity_named(std::string_view name);
+[[nodiscard]] Result<RowWeights> row_weights_named(std::string_view name);
+[[nodiscard]] Result<Scaling> scaling_named(std::string_view name);
+[[nodiscard]] Result<SimilaritySolver> similarity_solver_named(std::string_view name);
+
+struct SimilarityOptions {
+  Rules rules = {.scheme = Scheme::catmull_clark};
+  Similarity similarity = Similarity::vectors;
+  RowWeights row_weights = RowWeights::regularised;
+  Scaling scaling = Scaling::per_axis;
+  /// Samples along the side of a patch: 2^k + 1 for a k from 1 to 4; the paper has 3.
+  unsigned samples = 3;
+  /// Weights of |Suu|^2 + 2 |Suv|^2 + |Svv|^2 and of |Su|^2 + |Sv|^2 under Similarity::fair.
+  double thin_plate = 1;
+  double membrane = 0;
+  SimilaritySolver solver = SimilaritySolver::conjugate_gradient;
+  /// The iteration ends when the residual of the linear system is this part of the residual at its
+  /// start, the reference. The surface interpolates however large it is.
+  double solver_tolerance = 1e-2;
+  unsigned max_iterations = 1000;
+  /// Largest distance allowed between a given point and its limit point, as in InterpolateOptions.
+  double tolerance = 1e-9;
+};
+
+struct SimilarityReport {
+  /// As for progressive interpolation. `iterations` counts the solver's; `initial` and `final` are
+  /// interpolation errors of the reference and of the result.
+  SolveReport solve;
+  bool solver_converged = false;  ///< the residual reached the solver's tolerance
+  double residual = 0;            ///< at the end, relative to that of the reference; 0 if both are
+  std::vector<double> residuals = {};  ///< relative, from the first iteration on
+  std::array<double, 3> scale = {};    ///< of the reference, for each axis
+  std::size_t free_vertices = 0;       ///< of the control mesh
+  std::size_t derivatives = 0;         ///< sampled, all patches together
+};
+
+struct SimilaritySolution {
+  std::vector<Point> points;      ///< of the refined mesh, the given vertices' first
+  std::vector<Channel> channels;  ///< the given channels, interpolated along
+  SimilarityReport report;
+};
+
+/// Interpolation prepared for one topology: many point sets, one set-up.
+///
+///     auto solver = SimilarityInterpolator::create(mesh, options);
+///     Mesh control = solver->refined();
+///     for (const auto& frame : frames) control.points = solver->solve(frame)->points;
+///
+/// The limit point of every given vertex is a weighted mean of control points, with one among them
+/// that is in no other vertex's mean. It is expressed by the others, so that whatever these are the
+/// surface interpolates, to rounding: there is no mesh that cannot be interpolated, and no
+/// iteration that must converge. Movable, immutable after creation; `solve` may be called from
+/// several threads.
+///
+/// Sources: Lai and Cheng, Similarity based interpolation using Catmull-Clark subdivision surfaces,
+/// 2006 (`directions`; its weights, its norm of the residual and its derivatives at extraordinary
+/// vertices are unstated, see docs/methods/similarity.md for what is done); `vectors` is ours;
+/// `fair` samples the energies of Halstead, Kass and DeRose, Efficient, fair interpolation using
+/// Catmull-Clark surfaces, 1993, with exact interpolation.
+class SimilarityInterpolator {
+ public:
+  /// Fails where Topology::build does, where the scheme does not take such faces or has no such
+  /// derivatives yet, on numbers out of range, or if the refined mesh would be too large. Cost:
+  /// about a refinement, and a hundred bytes a face of the refined mesh.
+  [[nodiscard]] static Result<SimilarityInterpolator> create(const Mesh& mesh,
+                                                             const SimilarityOptions& options = {},
+                                                             const Context& context = {});
+  SimilarityInterpolator(const SimilarityInterpolator&) = delete;
+  SimilarityInterpolator& operator=(const SimilarityInterpolator&) = delete;
+  SimilarityInterpolator(SimilarityInterpolator&&) noexcept;
+  SimilarityInterpolator& operator=(SimilarityInterpolator&&) noexcept;
+  ~SimilarityInterpolator();
+
+  /// The topology of the control mesh: the given mesh refined once, without positions and vertex
+  /// channels, annotated with its rules and with "refined" = "1".
+  [[nodiscard]] const Mesh& refined() const;
+
+  /// Control points whose limit surface goes through these points (#V of the given mesh). Vertex
+  /// channels are interpolated along under the vectors form, or the fair one if that is chosen.
+  /// Errors: wrong size, not finite, cancelled.
+  [[nodiscard]] Result<SimilaritySolution> solve(std::span<const Point> points,
+                                                 std::span<const Channel> channels = {},
+                                                 const Context& context = {}) const;
+
+  /// The same with a reference of one's own: control points of the given mesh (#V), which are
+  /// refined, or of the refined one, which are taken as they are; scaled as the options say.
+  [[nodiscard]] Result<SimilaritySolution> solve_like(std::span<const Point> reference,
+                                                      std::span<const Point> points,
+                                                      std::span<const Channel> channels = {},
+                                                      const Context& context = {}) const;
+
+  /// Limit points of the given vertices (#V), from control points of the refined mesh: what a
+  /// certificate needs. Error: wrong size.
+  [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,
+                                                           const Context& context = {}) const;
+
+  struct Impl;
+
+ private:
+  explicit SimilarityInterpolator(std::unique_ptr<const Impl> impl);
+  std::unique_ptr<const Impl> impl_;
+};
+
+/// A control mesh with the topology of the given mesh refined once, and how it was found.
+struct SimilarityInterpolated {
+  Mesh control;
+  SimilarityReport report;
+};
+
+/// One-shot form of SimilarityInterpolator.
+[[nodiscard]] Result<SimilarityInterpolated> interpolate_similar(
+    const Mesh& mesh, const SimilarityOptions& options = {}, const Context& context = {});
+
+}  // namespace surpass

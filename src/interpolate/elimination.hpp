@@ -1,0 +1,60 @@
+// Interpolation as an explicit requirement: one control point of every given vertex's limit mean is
+// expressed by the others (Lai and Cheng 2006, equation 1).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scheme/sparse_rows.hpp"
+
+namespace surpass {
+
+/// Arrays are #control points by width, row after row. Free points are those that no given vertex
+/// depends on for its own sake.
+class Elimination {
+ public:
+  /// `limits`: a row per given vertex over `control_points` columns. In each row the largest weight
+  /// among the columns that no other row has becomes the dependent one; fails if there is none.
+  static Result<Elimination> build(SparseRows limits, Index control_points, const Context& context);
+
+  [[nodiscard]] Index given_count() const { return limits_.row_count(); }
+  [[nodiscard]] Index control_count() const { return static_cast<Index>(given_of_.size()); }
+  [[nodiscard]] bool is_free(Index j) const { return given_of_[j] == kNone; }
+  [[nodiscard]] const SparseRows& limits() const { return limits_; }
+  /// The control point that depends on the others for the sake of given vertex i.
+  [[nodiscard]] Index dependent(Index i) const { return dependent_[i]; }
+
+  /// Sets the dependent points such that the limits are the targets (#given by width), or 0 without
+  /// any.
+  void meet(const Context& context, std::size_t width, std::span<const double> targets,
+            std::span<double> x) const;
+
+  /// From the derivative of a function by all control points to that by the free ones alone, of
+  /// which the dependent ones follow; 0 at these.
+  void restrict_gradient(const Context& context, std::size_t width, std::span<double> y) const;
+
+  /// use(j, coefficient) for each free point j on which dependent(i) depends.
+  template <class Use>
+  void for_each_coefficient(Index i, Use&& use) const {
+    const auto columns = limits_.row_columns(i);
+    const auto weights = limits_.row_weights(i);
+    const double pivot = pivot_[i];
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns[k] != dependent_[i]) use(columns[k], -weights[k] / pivot);
+    }
+  }
+
+ private:
+  void find_dependents_of_free();
+
+  SparseRows limits_;
+  std::vector<Index> dependent_;  // #given
+  std::vector<double> pivot_;     // #given: weight of the dependent point
+  std::vector<Index> given_of_;   // #control: the given vertex that it depends for, or kNone
+  // The coefficients once more, by free points.
+  std::vector<Index> starts_;
+  std::vector<Index> givens_;
+  std::vector<double> coefficients_;
+};
+
+}  // namespace surpass

@@ -1,0 +1,133 @@
+#include <cmath>
+
+#include <Eigen/SparseCore>
+
+#include "interpolate/free_system.hpp"
+
+namespace surpass {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Entry = Eigen::Triplet<double>;
+
+// The place of coefficient (i, j) of a symmetric block of 3 in its upper triangle.
+constexpr std::size_t kPlace[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+
+// Unknowns: numbers of the free points; with blocks of 3 each coordinate by itself.
+class Assembly {
+ public:
+  Assembly(const FreeSystem& system, const PatchLayout& layout)
+      : system_(system), layout_(layout), parts_(system.energy.block_size() == 1 ? 1 : 3) {}
+
+  [[nodiscard]] Sparse matrix() const {
+    const Sparse h = energy();
+    const Sparse z = extension();
+    return Sparse(z.transpose()) * h * z;
+  }
+  [[nodiscard]] std::size_t parts() const { return parts_; }
+
+ private:
+  [[nodiscard]] Sparse energy() const {
+    Sparse sum(size(), size());
+    std::vector<Entry> entries;
+    const auto flush = [&] {
+      Sparse part(size(), size());
+      part.setFromTriplets(entries.begin(), entries.end());
+      sum += part;
+      entries.clear();
+    };
+    constexpr std::size_t kEntries = 20000000;
+    for (std::size_t p = 0; p < layout_.rows().patch_count(); ++p) {
+      const auto columns = layout_.rows().columns(p);
+      system_.energy.for_blocks(p, [&](std::size_t a, std::size_t b, const double* block) {
+        for (std::size_t i = 0; i < parts_; ++i) {
+          for (std::size_t j = 0; j < parts_; ++j) {
+            entries.emplace_back(number(columns[a], i), number(columns[b], j),
+                                 block[parts_ == 1 ? 0 : kPlace[i][j]]);
+          }
+        }
+      });
+      if (entries.size() > kEntries) flush();
+    }
+    flush();
+    return sum;
+  }
+
+  // Columns of dependent points stay empty, and so do then their rows of the matrix.
+  [[nodiscard]] Sparse extension() const {
+    std::vector<Entry> entries;
+    const Elimination& elimination = system_.elimination;
+    for (Index j = 0; j < elimination.control_count(); ++j) {
+      if (!elimination.is_free(j)) continue;
+      for (std::size_t c = 0; c < parts_; ++c)
+        entries.emplace_back(number(j, c), number(j, c), 1.0);
+    }
+    for (Index i = 0; i < elimination.given_count(); ++i) {
+      elimination.for_each_coefficient(i, [&](Index j, double coefficient) {
+        for (std::size_t c = 0; c < parts_; ++c) {
+          entries.emplace_back(number(elimination.dependent(i), c), number(j, c), coefficient);
+        }
+      });
+    }
+    Sparse z(size(), size());
+    z.setFromTriplets(entries.begin(), entries.end());
+    return z;
+  }
+
+  [[nodiscard]] int number(Index v, std::size_t part) const {
+    return static_cast<int>(v * parts_ + part);
+  }
+  [[nodiscard]] int size() const { return number(system_.elimination.control_count(), 0); }
+
+  const FreeSystem& system_;
+  const PatchLayout& layout_;
+  std::size_t parts_;
+};
+
+// One sweep: each unknown in turn takes the value at which its own equation holds. `gradient` is
+// kept that of `change`, which takes as long as the sweep itself.
+void sweep(const Sparse& matrix, std::size_t width, std::span<double> gradient,
+           std::span<double> change) {
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const double diagonal = matrix.coeff(i, i);
+    if (!(diagonal > 0)) continue;
+    for (std::size_t c = 0; c < width; ++c) {
+      const std::size_t at = static_cast<std::size_t>(i) * width + c;
+      const double step = -gradient[at] / diagonal;
+      change[at] += step;
+      for (Sparse::InnerIterator k(matrix, i); k; ++k) {  // the matrix is symmetric
+        gradient[static_cast<std::size_t>(k.col()) * width + c] += step * k.value();
+      }
+    }
+  }
+}
+
+}  // namespace
+
+FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout, const StopAt& stop,
+                         std::span<double> gradient, std::span<double> change) {
+  FreeOutcome outcome;
+  const double start = std::sqrt(system.dot(gradient, gradient));
+  if (start == 0 || stop.max_iterations == 0) return outcome;
+  const Assembly assembly(system, layout);
+  const Sparse matrix = assembly.matrix();
+  while (outcome.iterations < stop.max_iterations) {
+    if (system.context.cancelled()) {
+      outcome.cancelled = true;
+      return outcome;
+    }
+    sweep(matrix, system.width / assembly.parts(), gradient, change);
+    ++outcome.iterations;
+    const double residual = std::sqrt(system.dot(gradient, gradient)) / start;
+    outcome.residuals.push_back(residual);
+    system.context.report({.stage = "solve",
+                           .fraction = std::min(1.0, std::log(residual) / std::log(stop.tolerance)),
+                           .iteration = outcome.iterations,
+                           .error = residual});
+    if (residual <= stop.tolerance) break;
+  }
+  system.elimination.meet(system.context, system.width, {}, change);
+  return outcome;
+}
+
+}  // namespace surpass

@@ -1,0 +1,65 @@
+// The linear system of the free control points: the energy's derivative by them shall vanish, while
+// the dependent ones follow. Two solvers, a file each.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "interpolate/elimination.hpp"
+#include "interpolate/patch_energy.hpp"
+
+namespace surpass {
+
+/// Arrays are #control points by width. A change of the control points is `extended` if its
+/// dependent points keep the limits of the given vertices; a gradient is 0 at them.
+struct FreeSystem {
+  const Elimination& elimination;
+  const PatchEnergy& energy;
+  std::size_t width;
+  const Context& context;
+
+  [[nodiscard]] std::size_t size() const { return elimination.control_count() * width; }
+  /// y = the change of the gradient that goes with the change x, which is extended first.
+  void product(std::span<double> x, std::span<double> y) const {
+    elimination.meet(context, width, {}, x);
+    energy.product(context, width, x, y);
+    elimination.restrict_gradient(context, width, y);
+  }
+  [[nodiscard]] double dot(std::span<const double> a, std::span<const double> b) const {
+    return parallel::reduce(
+        context, a.size(), 0.0,
+        [&](std::size_t begin, std::size_t end) {
+          double sum = 0;
+          for (std::size_t i = begin; i < end; ++i) sum += a[i] * b[i];
+          return sum;
+        },
+        [](double sum, double part) { return sum + part; });
+  }
+};
+
+struct StopAt {
+  double tolerance = 0;  ///< of the gradient's length, relative to that at the start
+  unsigned max_iterations = 0;
+};
+
+struct FreeOutcome {
+  bool cancelled = false;
+  unsigned iterations = 0;
+  std::vector<double> residuals = {};  ///< relative, after each iteration
+  [[nodiscard]] double residual() const { return residuals.empty() ? 1 : residuals.back(); }
+};
+
+/// Brings `change` (extended; starts and ends so) to where the gradient vanishes; `gradient` is
+/// that at the start and is overwritten. Points that no derivative sees stay. Conjugate gradients,
+/// preconditioned by the diagonal blocks of the energy.
+[[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
+                                             std::span<double> gradient, std::span<double> change);
+
+/// The same by Gauss and Seidel's sweeps over the assembled matrix, on one thread (Lai and Cheng
+/// 2006, section 2.4).
+[[nodiscard]] FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout,
+                                       const StopAt& stop, std::span<double> gradient,
+                                       std::span<double> change);
+
+}  // namespace surpass

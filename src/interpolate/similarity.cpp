@@ -1,0 +1,304 @@
+// Interpolation by similarity. Lai and Cheng, Similarity based interpolation using Catmull-Clark
+// subdivision surfaces, 2006: section 2.2 (the explicit requirement), 2.3 and 2.4 (directions).
+// Beyond the paper: the vectors form, preconditioned conjugate gradients in the place of Gauss and
+// Seidel, nothing assembled; and Halstead, Kass and DeRose's energies on the same machinery.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpolate/linear_system.hpp"
+#include "interpolate/similarity_prepared.hpp"
+
+namespace surpass {
+
+struct SimilarityInterpolator::Impl : SimilarityPrepared {};
+
+namespace {
+
+Result<void> require_numbers(std::span<const double> values, std::size_t width, const char* what) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    return fail(ErrorCode::not_finite, fmt::format("{} is not a finite number", what),
+                {.vertex = static_cast<Index>(i / width)});
+  }
+  return {};
+}
+
+// Shifts and scales numbers to the neighbourhood of 0 and 1, so that squares of them neither
+// overflow nor lose what matters, and the other way.
+struct Units {
+  std::vector<double> centre;  // a number per column
+  double scale = 1;            // a power of two
+
+  void enter(const Context& context, std::span<double> x) const {
+    const std::size_t width = centre.size();
+    parallel::for_ranges(context, x.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) x[i] = (x[i] - centre[i % width]) * scale;
+    });
+  }
+  void leave(const Context& context, std::span<double> x) const {
+    const std::size_t width = centre.size();
+    parallel::for_ranges(context, x.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) x[i] = x[i] / scale + centre[i % width];
+    });
+  }
+};
+
+Result<Units> units_of(std::span<const double> values, std::size_t width) {
+  std::vector<double> low(width, HUGE_VAL);
+  std::vector<double> high(width, -HUGE_VAL);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low[i % width] = std::min(low[i % width], values[i]);
+    high[i % width] = std::max(high[i % width], values[i]);
+  }
+  Units units{std::vector<double>(width, 0.0)};
+  double side = 0;
+  for (std::size_t c = 0; c < width && !values.empty(); ++c) {
+    units.centre[c] = low[c] / 2 + high[c] / 2;
+    side = std::max(side, high[c] - low[c]);
+  }
+  if (!std::isfinite(side)) {
+    return fail(ErrorCode::not_finite,
+                "the coordinates are so large that their differences overflow");
+  }
+  units.scale = power_of_two_scale(side > 0 ? side : 1);
+  return units;
+}
+
+struct Wanted {
+  std::span<const double> given;      // #given by width
+  std::span<const double> reference;  // #given or #control by width; empty: the given points
+  std::size_t width;
+  bool positions;  // and not a channel
+};
+
+// Control values, #control by width, and how they were found.
+struct Found {
+  std::vector<double> values;
+  std::vector<double> reference;
+  std::vector<double> scale;
+  FreeOutcome outcome;
+};
+
+std::vector<double> refined_reference(const SimilarityPrepared& prepared, const Wanted& wanted,
+                                      const Context& context) {
+  const std::span<const double> source = wanted.reference.empty() ? wanted.given : wanted.reference;
+  const std::size_t values = prepared.control_count() * wanted.width;
+  if (source.size() == values) return {source.begin(), source.end()};
+  std::vector<double> refined(values);
+  prepared.refinement.stencil.apply(context, wanted.width, source, refined);
+  return refined;
+}
+
+// x = the reference where points are free, moved to where the energy is least; in units.
+FreeOutcome minimise(const SimilarityPrepared& prepared, const PatchEnergy& energy,
+                     const Wanted& wanted, std::span<const double> reference,
+                     const Context& context, std::span<double> x) {
+  const FreeSystem system{prepared.elimination, energy, wanted.width, context};
+  std::vector<double> gradient(x.size());
+  std::vector<double> change(x.begin(), x.end());
+  if (prepared.options.similarity != Similarity::fair) {
+    // Only the difference to the reference costs, and it may be nothing but rounding.
+    double largest = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      change[i] -= reference[i];
+      largest = std::max(largest, std::abs(change[i]));
+    }
+    constexpr double kRounding = 1e-14;  // coordinates are near 1
+    if (largest <= kRounding) return {};
+  }
+  energy.product(context, wanted.width, change, gradient);
+  prepared.elimination.restrict_gradient(context, wanted.width, gradient);
+  std::fill(change.begin(), change.end(), 0.0);
+  const StopAt stop{prepared.options.solver_tolerance, prepared.options.max_iterations};
+  FreeOutcome outcome = prepared.options.solver == SimilaritySolver::gauss_seidel
+                            ? gauss_seidel(system, *prepared.layout, stop, gradient, change)
+                            : conjugate_gradient(system, stop, gradient, change);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += change[i];
+  return outcome;
+}
+
+Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
+                   const Context& context) {
+  const auto units = units_of(wanted.given, wanted.width);
+  if (!units) return tl::make_unexpected(units.error());
+  Found found;
+  std::vector<double> given(wanted.given.begin(), wanted.given.end());
+  units->enter(context, given);
+  found.reference = refined_reference(prepared, wanted, context);
+  units->enter(context, found.reference);
+  found.scale = scale_reference(prepared, prepared.options.scaling, wanted.width, given, context,
+                                found.reference);
+  found.values = found.reference;
+  prepared.elimination.meet(context, wanted.width, given, found.values);
+
+  const SimilarityOptions& options = prepared.options;
+  const bool directions = options.similarity == Similarity::directions && wanted.positions;
+  std::unique_ptr<PatchEnergy> own;
+  if (directions && options.max_iterations > 0) {
+    own = cross_products(*prepared.layout, found.reference, options.row_weights, context);
+  }
+  const PatchEnergy& energy = own ? *own : *prepared.scalar;
+  if (options.max_iterations > 0) {
+    found.outcome = minimise(prepared, energy, wanted, found.reference, context, found.values);
+  }
+  if (found.outcome.cancelled) return fail(ErrorCode::cancelled, "cancelled while solving");
+  units->leave(context, found.values);
+  units->leave(context, found.reference);
+  // Once more from the given numbers themselves: exact to the last rounding.
+  prepared.elimination.meet(context, wanted.width, wanted.given, found.values);
+  return found;
+}
+
+Result<void> check_channel(const Channel& channel, std::size_t vertices) {
+  if (channel.values.size() != vertices * channel.width()) {
+    return fail(ErrorCode::mismatch, fmt::format("channel \"{}\" has {} values for {} vertices",
+                                                 channel.name, channel.values.size(), vertices));
+  }
+  return require_numbers(channel.values, channel.width(), "a channel's value");
+}
+
+Iteration error_of(const SimilarityPrepared& prepared, std::span<const double> control,
+                   std::span<const Point> points, double side, const Context& context) {
+  std::vector<double> limit(3 * points.size());
+  prepared.elimination.limits().apply(context, 3, control, limit);
+  Iteration error;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const double distance =
+        std::hypot((limit[3 * v] - points[v][0]) / side, (limit[3 * v + 1] - points[v][1]) / side,
+                   (limit[3 * v + 2] - points[v][2]) / side);
+    if (distance > error.max || std::isnan(distance)) error.max = distance;
+    error.mean += distance / static_cast<double>(points.size());
+  }
+  return error;
+}
+
+void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<const Point> points,
+                 const Context& context, SimilarityReport& report) {
+  const SimilarityOptions& options = prepared.options;
+  const double side = bounding_box(points).side();
+  const double unit = side > 0 ? side : 1;
+  report.solve.box_side = side;
+  report.solve.tolerance = floored_tolerance(options.tolerance, flat(points), unit);
+  report.solve.solver = name_of(options.solver);
+  report.solve.iterations = found.outcome.iterations;
+  report.solve.initial = error_of(prepared, found.reference, points, unit, context);
+  report.solve.final = error_of(prepared, found.values, points, unit, context);
+  report.solve.final.iteration = found.outcome.iterations;
+  report.solve.converged = report.solve.final.max <= report.solve.tolerance;
+  report.residuals = std::move(found.outcome.residuals);
+  std::copy_n(found.scale.begin(), 3, report.scale.begin());
+  report.free_vertices = prepared.control_count() - prepared.given_count();
+  const PatchRows& rows = prepared.layout->rows();
+  for (std::size_t p = 0; p < rows.patch_count(); ++p) {
+    report.derivatives += rows.kind(p).row_count();
+  }
+}
+
+// Whether the system was solved, and what to say if not.
+void judge_residual(const SimilarityPrepared& prepared, const FreeOutcome& outcome,
+                    SimilarityReport& report) {
+  const SimilarityOptions& options = prepared.options;
+  report.residual = report.residuals.empty() ? 0 : report.residuals.back();
+  report.solver_converged = report.residual <= options.solver_tolerance;
+  if (options.max_iterations == 0) {
+    report.residual = 1;
+    report.solver_converged = false;
+    report.solve.notes.emplace_back(
+        "no iterations were allowed: the free vertices are those of the reference");
+  } else if (!report.solver_converged) {
+    report.solve.notes.push_back(fmt::format(
+        "the residual is {:.3g} of that at the start after {} iterations, above the solver's "
+        "tolerance {:.3g}; the surface interpolates all the same",
+        report.residual, outcome.iterations, options.solver_tolerance));
+  }
+}
+
+}  // namespace
+
+SimilarityInterpolator::SimilarityInterpolator(std::unique_ptr<const Impl> impl)
+    : impl_(std::move(impl)) {}
+SimilarityInterpolator::SimilarityInterpolator(SimilarityInterpolator&&) noexcept = default;
+SimilarityInterpolator& SimilarityInterpolator::operator=(SimilarityInterpolator&&) noexcept =
+    default;
+SimilarityInterpolator::~SimilarityInterpolator() = default;
+
+Result<SimilarityInterpolator> SimilarityInterpolator::create(const Mesh& mesh,
+                                                              const SimilarityOptions& options,
+                                                              const Context& context) {
+  auto prepared = prepare_similarity(mesh, options, context);
+  if (!prepared) return tl::make_unexpected(prepared.error());
+  return SimilarityInterpolator(std::make_unique<const Impl>(Impl{std::move(*prepared)}));
+}
+
+const Mesh& SimilarityInterpolator::refined() const { return impl_->refinement.mesh; }
+
+Result<SimilaritySolution> SimilarityInterpolator::solve(std::span<const Point> points,
+                                                         std::span<const Channel> channels,
+                                                         const Context& context) const {
+  return solve_like({}, points, channels, context);
+}
+
+Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Point> reference,
+                                                              std::span<const Point> points,
+                                                              std::span<const Channel> channels,
+                                                              const Context& context) const {
+  const SimilarityPrepared& prepared = *impl_;
+  if (points.size() != prepared.given_count()) {
+    return fail(ErrorCode::mismatch, fmt::format("{} points were given for a mesh of {} vertices",
+                                                 points.size(), prepared.given_count()));
+  }
+  if (!reference.empty() && reference.size() != prepared.given_count() &&
+      reference.size() != prepared.control_count()) {
+    return fail(ErrorCode::mismatch,
+                fmt::format("the reference has {} vertices; it must have the {} of the given mesh "
+                            "or the {} of that mesh refined once",
+                            reference.size(), prepared.given_count(), prepared.control_count()));
+  }
+  for (const auto values : {flat(points), flat(reference)}) {
+    if (auto ok = require_numbers(values, 3, "a coordinate"); !ok) {
+      return tl::make_unexpected(ok.error());
+    }
+  }
+  auto found = find(prepared, {flat(points), flat(reference), 3, true}, context);
+  if (!found) return tl::make_unexpected(found.error());
+  SimilaritySolution solution;
+  fill_report(prepared, *found, points, context, solution.report);
+  judge_residual(prepared, found->outcome, solution.report);
+  solution.points.resize(prepared.control_count());
+  std::copy(found->values.begin(), found->values.end(), flat(std::span(solution.points)).begin());
+  for (const Channel& channel : channels) {
+    if (auto ok = check_channel(channel, points.size()); !ok) {
+      return tl::make_unexpected(ok.error());
+    }
+    auto carried = find(prepared, {channel.values, {}, channel.width(), false}, context);
+    if (!carried) return tl::make_unexpected(carried.error());
+    solution.channels.emplace_back(channel).values = std::move(carried->values);
+  }
+  return solution;
+}
+
+Result<std::vector<Point>> SimilarityInterpolator::limit_positions(std::span<const Point> control,
+                                                                   const Context& context) const {
+  if (control.size() != impl_->control_count()) {
+    return fail(ErrorCode::mismatch,
+                fmt::format("{} points were given for a control mesh of {} vertices",
+                            control.size(), impl_->control_count()));
+  }
+  return impl_->elimination.limits().apply(context, control);
+}
+
+Result<SimilarityInterpolated> interpolate_similar(const Mesh& mesh,
+                                                   const SimilarityOptions& options,
+                                                   const Context& context) {
+  const auto solver = SimilarityInterpolator::create(mesh, options, context);
+  if (!solver) return tl::make_unexpected(solver.error());
+  auto solution = solver->solve(mesh.points, mesh.channels, context);
+  if (!solution) return tl::make_unexpected(solution.error());
+  SimilarityInterpolated result{solver->refined(), std::move(solution->report)};
+  result.control.points = std::move(solution->points);
+  result.control.channels = std::move(solution->channels);
+  return result;
+}
+
+}  // namespace surpass

@@ -1,0 +1,200 @@
+#include "scheme/patch_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <unordered_map>
+
+#include "scheme/sharpness.hpp"
+
+namespace surpass {
+namespace {
+
+// A face with all that touch it, cut out of the mesh. Faces and vertices are numbered as a walk
+// meets them that begins at the face and knows nothing of the mesh's own numbers, so that pieces
+// joined alike are equal.
+class Piece {
+ public:
+  void cut(const Topology& topology, const Sharpness& sharpness, Index f);
+
+  [[nodiscard]] const std::vector<Index>& vertices() const { return vertices_; }
+  /// Everything that the derivatives depend on.
+  [[nodiscard]] const std::string& key() const { return key_; }
+  /// As a mesh, without positions.
+  [[nodiscard]] Mesh mesh() const;
+
+ private:
+  void walk_around(const Topology& topology, Index h);
+  void add_face(const Topology& topology, Index h);
+  Index number(Index v);
+  void note_sharpness(const Topology& topology, const Sharpness& sharpness);
+  template <class Value>
+  void append(Value value) {
+    key_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+
+  std::vector<Index> vertices_;  // of the mesh
+  std::vector<Index> faces_;     // of the mesh
+  std::vector<std::vector<Index>> corners_;
+  std::vector<Crease> creases_;
+  std::vector<Corner> sharp_;
+  std::string key_;
+};
+
+Index Piece::number(Index v) {
+  const auto at = std::find(vertices_.begin(), vertices_.end(), v) - vertices_.begin();
+  if (at == std::ssize(vertices_)) vertices_.push_back(v);
+  return static_cast<Index>(at);
+}
+
+// The face of h, from the tail of h on.
+void Piece::add_face(const Topology& topology, Index h) {
+  const Index f = topology.face(h);
+  if (std::find(faces_.begin(), faces_.end(), f) != faces_.end()) return;
+  faces_.push_back(f);
+  std::vector<Index>& corners = corners_.emplace_back();
+  Index k = h;
+  do {
+    corners.push_back(number(topology.tail(k)));
+    k = topology.next(k);
+  } while (k != h);
+}
+
+// The faces at the tail of h: counterclockwise from h as far as there are any, then clockwise, then
+// those of further fans.
+void Piece::walk_around(const Topology& topology, Index h) {
+  Index k = h;
+  do {
+    add_face(topology, k);
+    k = topology.rotate(k);
+  } while (k != kNone && k != h);
+  if (k == kNone) {
+    for (k = topology.opposite(h); k != kNone; k = topology.opposite(k)) {
+      k = topology.next(k);
+      add_face(topology, k);
+    }
+  }
+  const Index v = topology.tail(h);
+  if (!topology.is_bowtie(v)) return;
+  topology.for_each_outgoing(v, [&](Index spoke) { add_face(topology, spoke); });
+}
+
+void Piece::note_sharpness(const Topology& topology, const Sharpness& sharpness) {
+  const Index begin = topology.face_begin(faces_[0]);
+  for (Index h = begin; h < topology.face_end(faces_[0]); ++h) {
+    const Index v = topology.tail(h);
+    if (sharpness.is_plain(v)) continue;
+    if (sharpness.vertex(v) > 0) sharp_.push_back({number(v), sharpness.vertex(v)});
+    topology.for_each_spoke(v, [&](Index w, Index e) {
+      const float s = sharpness.edge(topology, e);
+      if (s > 0 && !topology.is_boundary_edge(e)) creases_.push_back({{number(v), number(w)}, s});
+    });
+  }
+}
+
+void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f) {
+  *this = Piece();
+  const Index begin = topology.face_begin(f);
+  add_face(topology, begin);
+  for (Index h = begin; h < topology.face_end(f); ++h) walk_around(topology, h);
+  note_sharpness(topology, sharpness);
+  for (const auto& corners : corners_) {
+    append(static_cast<Index>(corners.size()));
+    for (const Index v : corners) append(v);
+  }
+  append(kNone);
+  for (const Crease& crease : creases_) append(crease);
+  append(kNone);
+  for (const Corner& corner : sharp_) append(corner);
+}
+
+Mesh Piece::mesh() const {
+  Mesh mesh;
+  mesh.points.resize(vertices_.size());
+  for (const auto& corners : corners_) mesh.add_face(corners);
+  mesh.creases = creases_;
+  mesh.corners = sharp_;
+  return mesh;
+}
+
+// The vertices of a quad whose corners all are plain and of valence 4, with faces around that are
+// quads too, in the order in which a Piece has them: what nearly all patches are, fast.
+bool regular_quad(const Topology& topology, const Sharpness& sharpness, Index f,
+                  std::array<Index, 16>& vertices) {
+  const Index h = topology.face_begin(f);
+  for (Index k = 0; k < 4; ++k) {
+    const Index v = topology.tail(h + k);
+    if (topology.faces_at(v) != 4 || !sharpness.is_plain(v)) return false;
+    vertices[k] = v;
+  }
+  const auto head = [&](Index e) { return topology.head(e); };
+  const auto across = [&](Index e) { return topology.head(topology.next(e)); };
+  std::size_t at = 4;
+  for (Index k = 0; k < 4; ++k) {
+    const Index beside = topology.rotate(h + k);     // in the face across the side before
+    const Index diagonal = topology.rotate(beside);  // in the face that only touches the corner
+    const Index after = topology.rotate(diagonal);   // in the face across the side after
+    if (k == 0) {
+      vertices[at++] = head(beside);
+      vertices[at++] = across(beside);
+    }
+    if (k < 3) vertices[at++] = head(diagonal);
+    vertices[at++] = across(diagonal);
+    if (k < 3) vertices[at++] = across(after);
+  }
+  return true;
+}
+
+// Sixteen different vertices: in small meshes a regular quad may meet one of its neighbours twice.
+bool all_different(std::array<Index, 16> vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end();
+}
+
+struct KindTable {
+  std::unordered_map<std::string, Index> numbers;
+  Index regular = kNone;
+};
+
+}  // namespace
+
+Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, const Rules& rules,
+                                   int level, std::span<const unsigned char> sampled,
+                                   const Context& context) {
+  const SubdivisionScheme& scheme = scheme_of(rules.scheme);
+  const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
+  if (!sharpness) return tl::make_unexpected(sharpness.error());
+  PatchRows rows;
+  KindTable table;
+  Piece piece;
+  std::array<Index, 16> regular{};
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    if (f % parallel::kChunk == 0 && context.cancelled()) {
+      return fail(ErrorCode::cancelled, "cancelled while setting up");
+    }
+    if (!sampled.empty() && sampled[f] == 0) continue;
+    const bool is_regular = topology.common_degree() == 4 &&
+                            regular_quad(topology, *sharpness, f, regular) &&
+                            all_different(regular);
+    if (is_regular && table.regular != kNone) {
+      rows.columns_.insert(rows.columns_.end(), regular.begin(), regular.end());
+      rows.kind_of_.push_back(table.regular);
+    } else {
+      piece.cut(topology, *sharpness, f);
+      const auto [at, added] =
+          table.numbers.try_emplace(piece.key(), static_cast<Index>(rows.kinds_.size()));
+      if (added) {
+        auto kind = scheme.patch_kind(piece.mesh(), rules, level);
+        if (!kind) return tl::make_unexpected(kind.error());
+        rows.kinds_.push_back(std::move(*kind));
+      }
+      if (is_regular) table.regular = at->second;
+      rows.columns_.insert(rows.columns_.end(), piece.vertices().begin(), piece.vertices().end());
+      rows.kind_of_.push_back(at->second);
+    }
+    rows.offsets_.push_back(static_cast<Index>(rows.columns_.size()));
+  }
+  return rows;
+}
+
+}  // namespace surpass

@@ -1,0 +1,296 @@
+// Similarity interpolation against the same problem posed anew and solved densely: least squares
+// over the sampled derivatives under equations for the given vertices, by Lagrange's multipliers.
+#include <surpass/similarity.hpp>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "scheme/limit_operator.hpp"
+#include "scheme/patch_rows.hpp"
+#include "support/polygons.hpp"
+
+namespace surpass {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+Matrix matrix_of(const std::vector<Point>& points) {
+  Matrix m(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = points[i][k];
+    }
+  }
+  return m;
+}
+
+// Every row of every patch over all control points.
+struct Rows {
+  Matrix rows;
+  std::vector<Derivative> derivative;
+  std::vector<double> count;
+  std::vector<double> area;
+};
+
+Rows all_rows(const Mesh& refined, const Rules& rules) {
+  const auto topology = Topology::build(refined).value();
+  const auto patches = PatchRows::build(refined, topology, rules, 1, {}, {}).value();
+  Rows all;
+  std::vector<Vector> rows;
+  for (std::size_t p = 0; p < patches.patch_count(); ++p) {
+    const PatchKind& kind = patches.kind(p);
+    for (std::size_t r = 0; r < kind.row_count(); ++r) {
+      Vector& row = rows.emplace_back(Vector::Zero(refined.vertex_count()));
+      for (std::size_t c = 0; c < kind.columns; ++c) row[patches.columns(p)[c]] += kind.row(r)[c];
+      all.derivative.push_back(kind.derivative[r]);
+      all.count.push_back(kind.count[r]);
+      all.area.push_back(kind.area[r]);
+    }
+  }
+  all.rows.resize(static_cast<Eigen::Index>(rows.size()), refined.vertex_count());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    all.rows.row(static_cast<Eigen::Index>(r)) = rows[r].transpose();
+  }
+  return all;
+}
+
+Matrix limits_of(const Mesh& refined, const Rules& rules, Index given) {
+  const auto topology = Topology::build(refined).value();
+  const auto op = limit_operator(refined, topology, rules, {}).value();
+  Matrix m = Matrix::Zero(given, refined.vertex_count());
+  for (Index i = 0; i < given; ++i) {
+    for (Index k = 0; k < op.rows.row_length(i); ++k) {
+      m(i, op.rows.row_columns(i)[k]) += op.rows.row_weights(i)[k];
+    }
+  }
+  return m;
+}
+
+// The weight of a row in the problem, without its count.
+double row_weight(const SimilarityOptions& options, const Rows& all, const Matrix& g,
+                  std::size_t r) {
+  std::array<double, 3> squares = {};
+  std::array<double, 3> counts = {};
+  const auto order = [&](std::size_t i) {
+    return all.derivative[i] == Derivative::first   ? 0U
+           : all.derivative[i] == Derivative::third ? 2U
+                                                    : 1U;
+  };
+  for (std::size_t i = 0; i < all.count.size(); ++i) {
+    if (all.derivative[i] == Derivative::mixed) continue;
+    squares[order(i)] += all.count[i] * g.row(static_cast<Eigen::Index>(i)).squaredNorm();
+    counts[order(i)] += all.count[i];
+  }
+  const double square = g.row(static_cast<Eigen::Index>(r)).squaredNorm();
+  switch (options.row_weights) {
+    case RowWeights::none: return 1;
+    // What is left of a derivative that vanishes is rounding.
+    case RowWeights::unit: return square > 1e-24 * squares[0] / counts[0] ? 1 / square : 0;
+    case RowWeights::order: return counts[order(r)] / squares[order(r)];
+    case RowWeights::regularised: return 1 / (square + 0.09 * squares[0] / counts[0]);
+  }
+  return 0;
+}
+
+// Minimises sum |block_r (row_r Q - target_r)|^2 under limits Q = given, all coordinates at once.
+Matrix dense_solution(const SimilarityOptions& options, const Rows& all, const Matrix& limits,
+                      const Matrix& reference, const Matrix& given) {
+  const Eigen::Index m = reference.rows();
+  const Eigen::Index n = limits.rows();
+  const Matrix g = all.rows * reference;
+  Matrix system = Matrix::Zero(3 * (m + n), 3 * (m + n));
+  Vector right = Vector::Zero(3 * (m + n));
+  for (std::size_t k = 0; k < all.count.size(); ++k) {
+    const auto r = static_cast<Eigen::Index>(k);
+    Eigen::Matrix3d block = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d target = g.row(r).transpose();
+    if (options.similarity == Similarity::fair) {
+      const double weight = all.derivative[k] == Derivative::first    ? options.membrane
+                            : all.derivative[k] == Derivative::second ? options.thin_plate
+                            : all.derivative[k] == Derivative::mixed  ? 2 * options.thin_plate
+                                                                      : 0;
+      block *= weight * all.area[k];
+      target.setZero();
+    } else if (all.derivative[k] == Derivative::mixed) {
+      continue;
+    } else if (options.similarity == Similarity::directions) {
+      Eigen::Matrix3d cross;
+      cross << 0, -target[2], target[1], target[2], 0, -target[0], -target[1], target[0], 0;
+      block = all.count[k] * row_weight(options, all, g, k) * cross.transpose() * cross;
+    } else {
+      block *= all.count[k];
+    }
+    std::vector<Eigen::Index> used;
+    for (Eigen::Index j = 0; j < m; ++j) {
+      if (all.rows(r, j) != 0) used.push_back(j);
+    }
+    for (const Eigen::Index i : used) {
+      right.segment<3>(3 * i) += all.rows(r, i) * (block * target);
+      for (const Eigen::Index j : used) {
+        system.block<3, 3>(3 * i, 3 * j) += all.rows(r, i) * all.rows(r, j) * block;
+      }
+    }
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        system(3 * (m + i) + k, 3 * j + k) = system(3 * j + k, 3 * (m + i) + k) = limits(i, j);
+      }
+    }
+    right.segment<3>(3 * (m + i)) = given.row(i).transpose();
+  }
+  const Vector solution = system.fullPivLu().solve(right);
+  Matrix q(m, 3);
+  for (Eigen::Index j = 0; j < m; ++j) q.row(j) = solution.segment<3>(3 * j).transpose();
+  return q;
+}
+
+void expect_dense_solution(const Mesh& mesh, SimilarityOptions options, double tolerance) {
+  SCOPED_TRACE(std::string(name_of(options.similarity)) + ", " + name_of(options.row_weights) +
+               ", " + name_of(options.rules.boundary));
+  options.scaling = Scaling::none;  // the reference is then plain refinement
+  options.solver_tolerance = 1e-14;
+  options.max_iterations = 20000;
+  const auto found = interpolate_similar(mesh, options);
+  ASSERT_TRUE(found) << describe(found.error());
+  const Mesh refined = refine(mesh, options.rules, 1).value();
+  const Matrix expected = dense_solution(options, all_rows(refined, options.rules),
+                                         limits_of(refined, options.rules, mesh.vertex_count()),
+                                         matrix_of(refined.points), matrix_of(mesh.points));
+  EXPECT_LT((matrix_of(found->control.points) - expected).cwiseAbs().maxCoeff(), tolerance);
+}
+
+Mesh creased_grid() {
+  std::mt19937_64 random(3);
+  Mesh mesh = test::jitter(test::quad_grid(4, 4), random, 0.1);
+  mesh.creases = {{{4, 5}}, {{5, 6}}, {{6, 7}, 1.5F}, {{9, 13}, 2.5F}};
+  mesh.corners = {{10, 1.2F}};
+  return mesh;
+}
+
+Mesh jittered(Mesh mesh) {
+  std::mt19937_64 random(8);
+  return test::jitter(std::move(mesh), random, 0.15);
+}
+
+TEST(Similarity, IsTheDenseSolution) {
+  for (const Mesh& mesh : {jittered(test::cube()), jittered(test::prism(5)), creased_grid()}) {
+    for (const Boundary boundary : {Boundary::edge_only, Boundary::edge_and_corner}) {
+      SimilarityOptions options;
+      options.rules.boundary = boundary;
+      expect_dense_solution(mesh, options, 1e-11);
+      options.similarity = Similarity::fair;
+      options.membrane = 0.3;
+      expect_dense_solution(mesh, options, 1e-11);
+      options.similarity = Similarity::directions;
+      for (const RowWeights weights :
+           {RowWeights::none, RowWeights::unit, RowWeights::order, RowWeights::regularised}) {
+        options.row_weights = weights;
+        expect_dense_solution(mesh, options, 1e-8);  // the condition is up to 1e5 on open meshes
+      }
+    }
+  }
+}
+
+TEST(Similarity, ThinPlateAloneIsTheDenseSolution) {
+  SimilarityOptions options;
+  options.similarity = Similarity::fair;
+  expect_dense_solution(jittered(test::prism(6)), options, 1e-11);
+}
+
+// Sampled more densely, the fair surface settles: the sums tend to the integral.
+TEST(Similarity, MoreSamplesTendToTheIntegral) {
+  const Mesh mesh = jittered(test::quad_grid(4, 4));
+  std::vector<std::vector<Point>> found;
+  for (const unsigned samples : {3U, 5U, 9U, 17U}) {
+    SimilarityOptions options;
+    options.similarity = Similarity::fair;
+    options.samples = samples;
+    options.solver_tolerance = 1e-12;
+    found.push_back(interpolate_similar(mesh, options).value().control.points);
+  }
+  const double first = test::max_distance(found[0], found[1]);
+  const double second = test::max_distance(found[1], found[2]);
+  const double third = test::max_distance(found[2], found[3]);
+  EXPECT_LT(second, first / 2);
+  EXPECT_LT(third, second / 2);
+}
+
+TEST(Similarity, AReferenceOfOnesOwnIsReproduced) {
+  // Its own limits, to be interpolated: nothing is better than the reference itself.
+  const Mesh mesh = jittered(test::prism(5));
+  const Rules rules = {Scheme::catmull_clark};
+  const auto limits = limit_positions(mesh, rules).value();
+  const Mesh refined = refine(mesh, rules, 1).value();
+  for (const Similarity similarity : {Similarity::vectors, Similarity::directions}) {
+    SimilarityOptions options;
+    options.similarity = similarity;
+    options.scaling = Scaling::none;
+    const auto solver = SimilarityInterpolator::create(mesh, options).value();
+    for (const auto& reference : {mesh.points, refined.points}) {
+      const auto found = solver.solve_like(reference, limits);
+      ASSERT_TRUE(found) << describe(found.error());
+      EXPECT_LT(test::max_distance(found->points, refined.points), 1e-13);
+      EXPECT_EQ(found->report.solve.iterations, 0U);
+    }
+  }
+}
+
+TEST(Similarity, ChannelsAreInterpolatedAlong) {
+  Mesh mesh = jittered(test::quad_grid(4, 3));
+  Channel colour{"color", {"r", "g"}, {}};
+  for (const Point& p : mesh.points) colour.values.insert(colour.values.end(), {p[0], 7 * p[2]});
+  mesh.channels = {colour};
+  for (const Similarity similarity :
+       {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+    SimilarityOptions options;
+    options.similarity = similarity;
+    const auto found = interpolate_similar(mesh, options).value();
+    Mesh carrier = found.control;
+    for (std::size_t v = 0; v < carrier.points.size(); ++v) {
+      carrier.points[v] = {found.control.channels[0].values[2 * v],
+                           found.control.channels[0].values[2 * v + 1], 0};
+    }
+    const auto limits = limit_positions(carrier, options.rules).value();
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      EXPECT_NEAR(limits[v][0], colour.values[2 * v], 1e-13);
+      EXPECT_NEAR(limits[v][1], colour.values[2 * v + 1], 1e-13);
+    }
+  }
+}
+
+TEST(Similarity, RefusesWhatCannotBeMeant) {
+  const Mesh cube = test::cube();
+  const auto refused = [&](const SimilarityOptions& options) {
+    const auto solver = SimilarityInterpolator::create(cube, options);
+    return solver ? ErrorCode::not_built_in : solver.error().code;
+  };
+  EXPECT_EQ(refused({.samples = 4}), ErrorCode::invalid_argument);
+  EXPECT_EQ(refused({.solver_tolerance = 0}), ErrorCode::invalid_argument);
+  EXPECT_EQ(refused({.similarity = Similarity::fair, .thin_plate = 0}),
+            ErrorCode::invalid_argument);
+  EXPECT_EQ(refused({.rules = {Scheme::loop}}), ErrorCode::unsuitable_for_scheme);
+  const auto solver = SimilarityInterpolator::create(cube).value();
+  EXPECT_EQ(solver.solve(std::vector<Point>(7)).error().code, ErrorCode::mismatch);
+  EXPECT_EQ(solver.solve_like(std::vector<Point>(9), cube.points).error().code,
+            ErrorCode::mismatch);
+  auto points = cube.points;
+  points[3][1] = NAN;
+  EXPECT_EQ(solver.solve(points).error().code, ErrorCode::not_finite);
+  const std::atomic<bool> stop = true;
+  EXPECT_EQ(solver.solve(jittered(cube).points, {}, {.cancel = &stop}).error().code,
+            ErrorCode::cancelled);
+}
+
+TEST(Similarity, EmptyMeshesAndIsolatedVerticesAreTheirOwn) {
+  EXPECT_TRUE(interpolate_similar(Mesh()));
+  Mesh mesh = test::cube();
+  mesh.points.push_back({5, 6, 7});
+  const auto found = interpolate_similar(mesh).value();
+  EXPECT_EQ(found.control.points[8], mesh.points[8]);
+  EXPECT_NEAR(found.report.scale[0], 2, 1e-14) << "of the cube alone";
+}
+
+}  // namespace
+}  // namespace surpass
