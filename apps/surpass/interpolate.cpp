@@ -192,7 +192,12 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
 /// Options that say nothing of the method are refused, not ignored.
 Result<void> Interpolate::check_method() {
   if (const auto checked = similar_.check(method_); !checked) return checked;
-  if (method_ == Method::progressive) return {};
+  if (method_ == Method::progressive) {
+    if (options_.max_iterations > 0) return {};
+    return fail(ErrorCode::invalid_argument,
+                "--max-iterations 0 is for --method similarity and fair; progressive interpolation "
+                "needs at least one");
+  }
   const Solver solver = options_.solver;
   const char* wrong = options_.direct                     ? "--direct"
                       : options_.full_history             ? "--history"

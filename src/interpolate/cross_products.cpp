@@ -1,5 +1,9 @@
 // The similarity of directions: Lai and Cheng 2006, equations 3 and 5. As |g x q|^2 = |g|^2 |q|^2 -
-// (g.q)^2, each row's part of H is its weights' squares times the block |g|^2 I - g g'.
+// (g.q)^2, each row's part of H is its weights' squares times the block |g|^2 I - g g'. Nothing is
+// kept of the reference's derivatives g: to compute them again is faster than to read them.
+#include <algorithm>
+#include <array>
+
 #include "interpolate/patch_energy.hpp"
 
 namespace surpass {
@@ -7,27 +11,42 @@ namespace {
 
 constexpr double kRegular = 0.09;     // share of the mean that regularises: 0.3 squared
 constexpr double kVanishing = 1e-24;  // of the mean of |g|^2; below it g has no direction
+constexpr std::size_t kLanes = PatchLayout::kLanes;
 
-using Vector = std::array<double, 3>;
+// A number, and a vector, of each of the patches that are treated abreast.
+using Lanes = std::array<double, kLanes>;
+using Vectors = std::array<Lanes, 3>;
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+// The rows of a kind without their zeros.
+struct SparseKind {
+  struct Row {
+    std::size_t begin;
+    std::size_t end;
+    double count;
+    std::size_t order;  // of the derivative, from 0
+  };
+  std::size_t columns = 0;
+  std::vector<Row> rows;
+  std::vector<Index> column;
+  std::vector<double> weight;
 
-Vector times(std::span<const double> row, const Index* local, const double* x) {
-  Vector sum = {};
-  for (std::size_t b = 0; b < row.size(); ++b) {
-    const double* p = x + std::size_t{3} * local[b];
-    sum[0] += row[b] * p[0];
-    sum[1] += row[b] * p[1];
-    sum[2] += row[b] * p[2];
-  }
-  return sum;
-}
+  explicit SparseKind(const PatchKind& kind);
+};
 
-int order_of(Derivative which) {
-  switch (which) {
-    case Derivative::first: return 0;
-    case Derivative::third: return 2;
-    default: return 1;
+SparseKind::SparseKind(const PatchKind& kind) : columns(kind.columns) {
+  for (std::size_t r = 0; r < kind.row_count(); ++r) {
+    if (kind.derivative[r] == Derivative::mixed) continue;
+    const std::size_t order = kind.derivative[r] == Derivative::first    ? 0
+                              : kind.derivative[r] == Derivative::second ? 1
+                                                                         : 2;
+    const std::size_t begin = column.size();
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double w = kind.row(r)[c];
+      if (w == 0) continue;
+      column.push_back(static_cast<Index>(c));
+      weight.push_back(w);
+    }
+    rows.push_back({begin, column.size(), kind.count[r], order});
   }
 }
 
@@ -35,18 +54,59 @@ int order_of(Derivative which) {
 struct Means {
   std::array<double, 3> squares = {};
   std::array<double, 3> counts = {};
-  [[nodiscard]] double mean(int order) const {
-    const auto at = static_cast<std::size_t>(order);
-    return counts[at] > 0 ? squares[at] / counts[at] : 0;
+  [[nodiscard]] double mean(std::size_t order) const {
+    return counts[order] > 0 ? squares[order] / counts[order] : 0;
   }
 };
+
+// The points of a group of patches side by side; lanes without a patch are 0, and so is then all
+// that is made of them.
+void gather(const Index* local, std::size_t columns, std::size_t lanes, const double* x,
+            std::vector<Vectors>& points) {
+  points.assign(columns, Vectors{});
+  for (std::size_t l = 0; l < lanes; ++l) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double* p = x + std::size_t{3} * local[l * columns + c];
+      for (std::size_t k = 0; k < 3; ++k) points[c][k][l] = p[k];
+    }
+  }
+}
+
+void scatter(const Index* local, std::size_t columns, std::size_t lanes,
+             const std::vector<Vectors>& points, double* y) {
+  for (std::size_t l = 0; l < lanes; ++l) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      double* to = y + std::size_t{3} * local[l * columns + c];
+      for (std::size_t k = 0; k < 3; ++k) to[k] += points[c][k][l];
+    }
+  }
+}
+
+inline void times(const SparseKind& kind, const SparseKind::Row& row,
+                  const std::vector<Vectors>& points, Vectors& product) {
+  product = {};
+  for (std::size_t i = row.begin; i < row.end; ++i) {
+    const double w = kind.weight[i];
+    const Vectors& p = points[kind.column[i]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t l = 0; l < kLanes; ++l) product[k][l] += w * p[k][l];
+    }
+  }
+}
+
+inline void dot(const Vectors& a, const Vectors& b, Lanes& product) {
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    product[l] = a[0][l] * b[0][l] + a[1][l] * b[1][l] + a[2][l] * b[2][l];
+  }
+}
 
 class CrossProducts final : public PatchEnergy {
  public:
   CrossProducts(const PatchLayout& layout, std::span<const double> reference, RowWeights weights,
                 const Context& context)
       : layout_(layout), reference_(reference), weights_(weights) {
-    find_means(context);
+    for (const PatchKind& kind : layout.rows().kinds()) kinds_.emplace_back(kind);
+    if (weights != RowWeights::none) find_means(context);
   }
 
   void product(const Context& context, std::size_t width, std::span<const double> x,
@@ -57,25 +117,15 @@ class CrossProducts final : public PatchEnergy {
 
  private:
   void find_means(const Context& context);
-  [[nodiscard]] double weight(const PatchKind& kind, std::size_t row, double square) const;
+  // From |g|^2 to the weight of the row; 0 stays 0 or becomes what does no harm to lanes of zeros.
+  void weigh(const SparseKind::Row& row, const Lanes& square, Lanes& weight) const;
   [[nodiscard]] std::vector<double> local_points(const PatchLayout::Chunk& chunk,
                                                  std::span<const double> x) const;
-  // use(row, g, w) for each row of the patch that has a weight.
-  template <class Use>
-  void for_rows(std::size_t patch, const Index* local, const double* reference, Use&& use) const {
-    const PatchKind& kind = layout_.rows().kind(patch);
-    for (std::size_t r = 0; r < kind.row_count(); ++r) {
-      if (kind.derivative[r] == Derivative::mixed) continue;
-      const auto row = kind.row(r);
-      const Vector g = times(row, local, reference);
-      const double w = weight(kind, r, dot(g, g));
-      if (w > 0) use(row, g, w);
-    }
-  }
 
   const PatchLayout& layout_;
   std::span<const double> reference_;
   RowWeights weights_;
+  std::vector<SparseKind> kinds_;
   Means means_;
 };
 
@@ -89,24 +139,26 @@ std::vector<double> CrossProducts::local_points(const PatchLayout::Chunk& chunk,
 }
 
 void CrossProducts::find_means(const Context& context) {
-  if (weights_ == RowWeights::none) return;
   means_ = layout_.reduce(
       context, Means{},
       [&](const PatchLayout::Chunk& chunk) {
         Means sums;
         const auto reference = local_points(chunk, reference_);
-        const Index* local = chunk.local;
-        for (std::size_t p = chunk.first; p < chunk.last; ++p) {
-          const PatchKind& kind = layout_.rows().kind(p);
-          for (std::size_t r = 0; r < kind.row_count(); ++r) {
-            if (kind.derivative[r] == Derivative::mixed) continue;
-            const Vector g = times(kind.row(r), local, reference.data());
-            const auto order = static_cast<std::size_t>(order_of(kind.derivative[r]));
-            sums.squares[order] += kind.count[r] * dot(g, g);
-            sums.counts[order] += kind.count[r];
+        std::vector<Vectors> points;
+        layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
+          const SparseKind& kind = kinds_[number];
+          gather(local, kind.columns, lanes, reference.data(), points);
+          for (const SparseKind::Row& row : kind.rows) {
+            Vectors g;
+            Lanes square;
+            times(kind, row, points, g);
+            dot(g, g, square);
+            for (std::size_t l = 0; l < lanes; ++l) {
+              sums.squares[row.order] += row.count * square[l];
+              sums.counts[row.order] += row.count;
+            }
           }
-          local += kind.columns;
-        }
+        });
         return sums;
       },
       [](Means sum, const Means& part) {
@@ -118,18 +170,23 @@ void CrossProducts::find_means(const Context& context) {
       });
 }
 
-double CrossProducts::weight(const PatchKind& kind, std::size_t row, double square) const {
-  const double count = kind.count[row];
+void CrossProducts::weigh(const SparseKind::Row& row, const Lanes& square, Lanes& weight) const {
   const double first = means_.mean(0);
-  const auto inverse = [&](double x) { return x > 0 ? count / x : 0.0; };
+  const auto inverse = [&](double x) { return x > 0 ? row.count / x : 0.0; };
   switch (weights_) {
-    case RowWeights::none: break;
-    case RowWeights::unit: return square > kVanishing * first ? inverse(square) : 0;
+    case RowWeights::none: weight.fill(row.count); return;
+    case RowWeights::unit:
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        weight[l] = square[l] > kVanishing * first ? inverse(square[l]) : 0;
+      }
+      return;
     case RowWeights::order:
-      return inverse(std::max(means_.mean(order_of(kind.derivative[row])), kVanishing * first));
-    case RowWeights::regularised: return inverse(square + kRegular * first);
+      weight.fill(inverse(std::max(means_.mean(row.order), kVanishing * first)));
+      return;
+    case RowWeights::regularised:
+      for (std::size_t l = 0; l < kLanes; ++l) weight[l] = inverse(square[l] + kRegular * first);
+      return;
   }
-  return count;
 }
 
 void CrossProducts::product(const Context& context, std::size_t, std::span<const double> x,
@@ -137,63 +194,101 @@ void CrossProducts::product(const Context& context, std::size_t, std::span<const
   layout_.add_up(context, 3, y, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
     const auto reference = local_points(chunk, reference_);
     const auto own = local_points(chunk, x);
-    const Index* local = chunk.local;
-    for (std::size_t p = chunk.first; p < chunk.last; ++p) {
-      for_rows(p, local, reference.data(), [&](auto row, const Vector& g, double w) {
-        const Vector q = times(row, local, own.data());
-        const double square = w * dot(g, g);
-        const double along = w * dot(g, q);
-        Vector stress;
-        for (std::size_t c = 0; c < 3; ++c) stress[c] = square * q[c] - along * g[c];
-        for (std::size_t b = 0; b < row.size(); ++b) {
-          double* to = values.data() + std::size_t{3} * local[b];
-          for (std::size_t c = 0; c < 3; ++c) to[c] += row[b] * stress[c];
+    std::vector<Vectors> at_reference;
+    std::vector<Vectors> at_x;
+    std::vector<Vectors> sums;
+    layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
+      const SparseKind& kind = kinds_[number];
+      gather(local, kind.columns, lanes, reference.data(), at_reference);
+      gather(local, kind.columns, lanes, own.data(), at_x);
+      sums.assign(kind.columns, Vectors{});
+      for (const SparseKind::Row& row : kind.rows) {
+        Vectors g;
+        Vectors q;
+        Lanes square;
+        Lanes along;
+        Lanes weight;
+        times(kind, row, at_reference, g);
+        times(kind, row, at_x, q);
+        dot(g, g, square);
+        dot(g, q, along);
+        weigh(row, square, weight);
+        for (std::size_t k = 0; k < 3; ++k) {
+          for (std::size_t l = 0; l < kLanes; ++l) {
+            q[k][l] = weight[l] * (square[l] * q[k][l] - along[l] * g[k][l]);
+          }
         }
-      });
-      local += layout_.rows().kind(p).columns;
-    }
+        for (std::size_t i = row.begin; i < row.end; ++i) {
+          const double w = kind.weight[i];
+          Vectors& to = sums[kind.column[i]];
+          for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t l = 0; l < kLanes; ++l) to[k][l] += w * q[k][l];
+          }
+        }
+      }
+      scatter(local, kind.columns, lanes, sums, values.data());
+    });
   });
 }
 
 // The upper triangle of w (|g|^2 I - g g').
-std::array<double, 6> block_of(const Vector& g, double w) {
-  const double square = dot(g, g);
-  return {w * (square - g[0] * g[0]), -w * g[0] * g[1], -w * g[0] * g[2],
-          w * (square - g[1] * g[1]), -w * g[1] * g[2], w * (square - g[2] * g[2])};
+std::array<double, 6> block_of(const Vectors& g, double w, std::size_t lane) {
+  const std::array<double, 3> v = {g[0][lane], g[1][lane], g[2][lane]};
+  const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  return {w * (square - v[0] * v[0]), -w * v[0] * v[1], -w * v[0] * v[2],
+          w * (square - v[1] * v[1]), -w * v[1] * v[2], w * (square - v[2] * v[2])};
 }
 
 std::vector<double> CrossProducts::diagonal(const Context& context) const {
   std::vector<double> sum(std::size_t{6} * layout_.control_count());
   layout_.add_up(context, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
     const auto reference = local_points(chunk, reference_);
-    const Index* local = chunk.local;
-    for (std::size_t p = chunk.first; p < chunk.last; ++p) {
-      for_rows(p, local, reference.data(), [&](auto row, const Vector& g, double w) {
-        const auto block = block_of(g, w);
-        for (std::size_t b = 0; b < row.size(); ++b) {
-          double* to = values.data() + std::size_t{6} * local[b];
-          for (std::size_t c = 0; c < 6; ++c) to[c] += row[b] * row[b] * block[c];
+    std::vector<Vectors> points;
+    layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
+      const SparseKind& kind = kinds_[number];
+      gather(local, kind.columns, lanes, reference.data(), points);
+      for (const SparseKind::Row& row : kind.rows) {
+        Vectors g;
+        Lanes square;
+        Lanes weight;
+        times(kind, row, points, g);
+        dot(g, g, square);
+        weigh(row, square, weight);
+        for (std::size_t l = 0; l < lanes; ++l) {
+          const auto block = block_of(g, weight[l], l);
+          for (std::size_t i = row.begin; i < row.end; ++i) {
+            const double w = kind.weight[i] * kind.weight[i];
+            double* to = values.data() + std::size_t{6} * local[l * kind.columns + kind.column[i]];
+            for (std::size_t c = 0; c < 6; ++c) to[c] += w * block[c];
+          }
         }
-      });
-      local += layout_.rows().kind(p).columns;
-    }
+      }
+    });
   });
   return sum;
 }
 
 void CrossProducts::for_blocks(std::size_t patch, const UseBlock& use) const {
-  const auto columns = layout_.rows().columns(patch);
-  const std::size_t n = columns.size();
+  const SparseKind& kind = kinds_[layout_.rows().kind_number(patch)];
+  const std::size_t n = kind.columns;
+  std::vector<Vectors> points;
+  gather(layout_.rows().columns(patch).data(), n, 1, reference_.data(), points);
   std::vector<double> blocks(6 * n * n, 0.0);
-  for_rows(patch, columns.data(), reference_.data(), [&](auto row, const Vector& g, double w) {
-    const auto block = block_of(g, w);
-    for (std::size_t a = 0; a < n; ++a) {
-      for (std::size_t b = 0; b < n; ++b) {
-        for (std::size_t c = 0; c < 6; ++c)
-          blocks[6 * (a * n + b) + c] += row[a] * row[b] * block[c];
+  for (const SparseKind::Row& row : kind.rows) {
+    Vectors g;
+    Lanes square;
+    Lanes weight;
+    times(kind, row, points, g);
+    dot(g, g, square);
+    weigh(row, square, weight);
+    const auto block = block_of(g, weight[0], 0);
+    for (std::size_t i = row.begin; i < row.end; ++i) {
+      for (std::size_t j = row.begin; j < row.end; ++j) {
+        double* to = &blocks[6 * (kind.column[i] * n + kind.column[j])];
+        for (std::size_t c = 0; c < 6; ++c) to[c] += kind.weight[i] * kind.weight[j] * block[c];
       }
     }
-  });
+  }
   for (std::size_t k = 0; k < n * n; ++k) use(k / n, k % n, blocks.data() + 6 * k);
 }
 

@@ -1,5 +1,6 @@
 // The patches of a mesh in chunks that have their own copies of the control points they need. What
-// chunks add up is then added in an order that does not depend on the number of threads.
+// chunks add up is then added in an order that does not depend on the number of threads. Within a
+// chunk, patches of one kind come together, four and four of them abreast.
 #pragma once
 
 #include <algorithm>
@@ -13,27 +14,46 @@ namespace surpass {
 
 class PatchLayout {
  public:
-  PatchLayout(PatchRows rows, Index control_points, const Context& context);
+  PatchLayout(PatchRows rows, Index control_points);
 
   [[nodiscard]] const PatchRows& rows() const { return rows_; }
   [[nodiscard]] Index control_count() const { return control_points_; }
 
-  /// A chunk of patches: [first, last), and for the columns of each the numbers of the control
-  /// points among the `points` of the chunk.
+  static constexpr std::size_t kLanes = 4;
+
+  /// A chunk of patches, in an order of its own.
   struct Chunk {
-    std::size_t first;
-    std::size_t last;
-    std::span<const Index> points;
-    const Index* local;  ///< of the first column of patch `first`, then on and on
+    std::span<const Index> patches;  ///< sorted by kind
+    std::span<const Index> points;   ///< the control points that they need
+    const Index* local;  ///< for the columns of each patch in turn, numbers among the points
   };
+
+  /// Calls body(kind's number, local, lanes) for groups of up to kLanes patches of one kind: patch l
+  /// of the group has its columns at local + l * columns of the kind.
+  template <class Body>
+  void for_groups(const Chunk& chunk, Body&& body) const {
+    const Index* local = chunk.local;
+    for (std::size_t i = 0; i < chunk.patches.size();) {
+      const Index kind = rows_.kind_number(chunk.patches[i]);
+      std::size_t lanes = 1;
+      while (lanes < kLanes && i + lanes < chunk.patches.size() &&
+             rows_.kind_number(chunk.patches[i + lanes]) == kind) {
+        ++lanes;
+      }
+      body(kind, local, lanes);
+      i += lanes;
+      local += lanes * rows_.kinds()[kind].columns;
+    }
+  }
 
   /// y = the sum of what the chunks add up: work(chunk, values) finds `width` zeros for each of the
   /// chunk's points and adds to them. y: #control points by width.
   template <class Work>
   void add_up(const Context& context, std::size_t width, std::span<double> y, Work&& work) const {
     std::vector<double> values(points_.size() * width, 0.0);
-    for_chunks(context, [&](const Chunk& chunk, std::size_t at) {
-      work(chunk, std::span(values).subspan(at * width, chunk.points.size() * width));
+    for_chunks(context, [&](const Chunk& chunk, std::size_t number) {
+      work(chunk,
+           std::span(values).subspan(chunks_[number] * width, chunk.points.size() * width));
     });
     parallel::for_ranges(context, control_points_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t j = begin; j < end; ++j) {
@@ -46,7 +66,7 @@ class PatchLayout {
     });
   }
 
-  /// Calls body(chunk, number of its first point among those of all chunks).
+  /// Calls body(chunk, its number).
   template <class Body>
   void for_chunks(const Context& context, Body&& body) const {
     parallel::for_ranges(
@@ -54,9 +74,10 @@ class PatchLayout {
         [&](std::size_t first, std::size_t last) {
           const std::size_t number = first / kPatches;
           const std::size_t at = chunks_[number];
-          const Chunk chunk{first, last, std::span(points_).subspan(at, chunks_[number + 1] - at),
+          const Chunk chunk{std::span(order_).subspan(first, last - first),
+                            std::span(points_).subspan(at, chunks_[number + 1] - at),
                             local_.data() + rows_.columns_start(first)};
-          body(chunk, at);
+          body(chunk, number);
         },
         kPatches);
   }
@@ -65,9 +86,8 @@ class PatchLayout {
   template <class T, class Part, class Combine>
   T reduce(const Context& context, T first, Part&& part, Combine&& combine) const {
     std::vector<T> parts(chunks_.size() - 1, first);
-    for_chunks(context, [&](const Chunk& chunk, std::size_t) {
-      parts[chunk.first / kPatches] = part(chunk);
-    });
+    for_chunks(context,
+               [&](const Chunk& chunk, std::size_t number) { parts[number] = part(chunk); });
     for (const T& p : parts) first = combine(first, p);
     return first;
   }
@@ -77,9 +97,10 @@ class PatchLayout {
 
   PatchRows rows_;
   Index control_points_;
-  std::vector<Index> points_;        // of each chunk, ascending, chunk after chunk
+  std::vector<Index> order_;         // the patches of each chunk, sorted by kind
+  std::vector<Index> points_;        // of each chunk, chunk after chunk
   std::vector<std::size_t> chunks_;  // where those of each start
-  std::vector<Index> local_;         // of every column of every patch
+  std::vector<Index> local_;         // of every column of every patch, in that order
   std::vector<Index> occurs_;        // where the places of each control point start
   std::vector<Index> places_;        // among points_, ascending
 };

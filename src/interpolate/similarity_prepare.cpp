@@ -88,7 +88,7 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   auto rows =
       PatchRows::build(refined, *topology, options.rules, level_of(options.samples), {}, context);
   if (!rows) return tl::make_unexpected(rows.error());
-  auto layout = std::make_unique<const PatchLayout>(std::move(*rows), control_points, context);
+  auto layout = std::make_unique<const PatchLayout>(std::move(*rows), control_points);
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
   auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
   refined.points = {};

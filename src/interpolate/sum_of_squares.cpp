@@ -1,4 +1,6 @@
 // Energies that see each coordinate alone: one small matrix for every kind of patch.
+#include <array>
+
 #include <Eigen/Core>
 
 #include "interpolate/patch_energy.hpp"
@@ -46,42 +48,53 @@ class SumOfSquares final : public PatchEnergy {
   void for_blocks(std::size_t patch, const UseBlock& use) const override;
 
  private:
-  [[nodiscard]] const KindForm& form(std::size_t patch) const {
-    return forms_[layout_.rows().kind_number(patch)];
-  }
-
   const PatchLayout& layout_;
   std::vector<KindForm> forms_;  // for each kind of patch
 };
 
+constexpr std::size_t kLanes = PatchLayout::kLanes;
+
 // y += matrix x for the points of one patch.
-template <std::size_t kWidth>
-void apply_form(const Matrix& matrix, const Index* local, std::size_t width, const double* x,
-                double* y) {
-  const std::size_t w = kWidth != 0 ? kWidth : width;
+void apply_matrix(const Matrix& matrix, const Index* local, std::size_t width, const double* x,
+                  double* y) {
   const auto n = static_cast<std::size_t>(matrix.cols());
   for (std::size_t a = 0; a < n; ++a) {
     const double* row = matrix.data() + a * n;
-    double* to = y + local[a] * w;
-    if constexpr (kWidth == 3) {
-      double s0 = 0;
-      double s1 = 0;
-      double s2 = 0;
-      for (std::size_t b = 0; b < n; ++b) {
-        const double* p = x + std::size_t{3} * local[b];
-        s0 += row[b] * p[0];
-        s1 += row[b] * p[1];
-        s2 += row[b] * p[2];
-      }
-      to[0] += s0;
-      to[1] += s1;
-      to[2] += s2;
-    } else {
-      for (std::size_t c = 0; c < w; ++c) {
-        double s = 0;
-        for (std::size_t b = 0; b < n; ++b) s += row[b] * x[local[b] * w + c];
-        to[c] += s;
-      }
+    for (std::size_t c = 0; c < width; ++c) {
+      double sum = 0;
+      for (std::size_t b = 0; b < n; ++b) sum += row[b] * x[local[b] * width + c];
+      y[local[a] * width + c] += sum;
+    }
+  }
+}
+
+// The same for kLanes patches and three right-hand sides, the case that matters.
+void apply_matrix_abreast(const Matrix& matrix, const Index* local, const double* x, double* y,
+                          std::vector<double>& gathered) {
+  const auto n = static_cast<std::size_t>(matrix.cols());
+  gathered.resize(3 * kLanes * n);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    for (std::size_t b = 0; b < n; ++b) {
+      const double* p = x + std::size_t{3} * local[l * n + b];
+      for (std::size_t c = 0; c < 3; ++c) gathered[(3 * b + c) * kLanes + l] = p[c];
+    }
+  }
+  for (std::size_t a = 0; a < n; ++a) {
+    const double* row = matrix.data() + a * n;
+    std::array<double, kLanes> s0 = {};
+    std::array<double, kLanes> s1 = {};
+    std::array<double, kLanes> s2 = {};
+    const double* p = gathered.data();
+    for (std::size_t b = 0; b < n; ++b, p += 3 * kLanes) {
+      for (std::size_t l = 0; l < kLanes; ++l) s0[l] += row[b] * p[l];
+      for (std::size_t l = 0; l < kLanes; ++l) s1[l] += row[b] * p[kLanes + l];
+      for (std::size_t l = 0; l < kLanes; ++l) s2[l] += row[b] * p[2 * kLanes + l];
+    }
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      double* to = y + std::size_t{3} * local[l * n + a];
+      to[0] += s0[l];
+      to[1] += s1[l];
+      to[2] += s2[l];
     }
   }
 }
@@ -93,9 +106,9 @@ void apply_rows(const Matrix& rows, const Index* local, std::size_t width, const
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
     const double* row = rows.data() + static_cast<std::size_t>(r) * n;
     for (std::size_t c = 0; c < width; ++c) {
-      double s = 0;
-      for (std::size_t b = 0; b < n; ++b) s += row[b] * x[local[b] * width + c];
-      for (std::size_t b = 0; b < n; ++b) y[local[b] * width + c] += row[b] * s;
+      double sum = 0;
+      for (std::size_t b = 0; b < n; ++b) sum += row[b] * x[local[b] * width + c];
+      for (std::size_t b = 0; b < n; ++b) y[local[b] * width + c] += row[b] * sum;
     }
   }
 }
@@ -107,42 +120,48 @@ void SumOfSquares::product(const Context& context, std::size_t width, std::span<
     for (std::size_t k = 0; k < chunk.points.size(); ++k) {
       std::copy_n(x.data() + chunk.points[k] * width, width, own.data() + k * width);
     }
-    const Index* local = chunk.local;
-    for (std::size_t p = chunk.first; p < chunk.last; ++p) {
-      const KindForm& f = form(p);
-      if (f.rows.size() != 0) {
-        apply_rows(f.rows, local, width, own.data(), values.data());
-      } else if (width == 3) {
-        apply_form<3>(f.matrix, local, width, own.data(), values.data());
-      } else {
-        apply_form<0>(f.matrix, local, width, own.data(), values.data());
+    std::vector<double> gathered;
+    layout_.for_groups(chunk, [&](Index kind, const Index* local, std::size_t lanes) {
+      const KindForm& f = forms_[kind];
+      if (f.matrix.size() != 0 && width == 3 && lanes == kLanes) {
+        apply_matrix_abreast(f.matrix, local, own.data(), values.data(), gathered);
+        return;
       }
-      local += layout_.rows().kind(p).columns;
-    }
+      for (std::size_t l = 0; l < lanes; ++l, local += layout_.rows().kinds()[kind].columns) {
+        if (f.rows.size() != 0) apply_rows(f.rows, local, width, own.data(), values.data());
+        if (f.matrix.size() != 0) apply_matrix(f.matrix, local, width, own.data(), values.data());
+      }
+    });
   });
 }
 
+double diagonal_of(const KindForm& form, std::size_t column) {
+  const auto at = static_cast<Eigen::Index>(column);
+  if (form.rows.size() != 0) return form.rows.col(at).squaredNorm();
+  return form.matrix.size() != 0 ? form.matrix(at, at) : 0;
+}
+
 std::vector<double> SumOfSquares::diagonal(const Context& context) const {
+  std::vector<std::vector<double>> diagonals(forms_.size());
+  for (std::size_t k = 0; k < forms_.size(); ++k) {
+    for (std::size_t a = 0; a < layout_.rows().kinds()[k].columns; ++a) {
+      diagonals[k].push_back(diagonal_of(forms_[k], a));
+    }
+  }
   std::vector<double> sum(layout_.control_count());
   layout_.add_up(context, 1, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const Index* local = chunk.local;
-    for (std::size_t p = chunk.first; p < chunk.last; ++p) {
-      const KindForm& f = form(p);
-      const std::size_t n = layout_.rows().kind(p).columns;
-      for (std::size_t a = 0; a < n; ++a) {
-        const auto at = static_cast<Eigen::Index>(a);
-        values[local[a]] += f.rows.size() != 0     ? f.rows.col(at).squaredNorm()
-                            : f.matrix.size() != 0 ? f.matrix(at, at)
-                                                   : 0.0;
+    layout_.for_groups(chunk, [&](Index kind, const Index* local, std::size_t lanes) {
+      const std::vector<double>& diagonal = diagonals[kind];
+      for (std::size_t k = 0; k < lanes * diagonal.size(); ++k) {
+        values[local[k]] += diagonal[k % diagonal.size()];
       }
-      local += n;
-    }
+    });
   });
   return sum;
 }
 
 void SumOfSquares::for_blocks(std::size_t patch, const UseBlock& use) const {
-  const KindForm& f = form(patch);
+  const KindForm& f = forms_[layout_.rows().kind_number(patch)];
   const Matrix matrix = f.rows.size() != 0 ? Matrix(f.rows.transpose() * f.rows) : f.matrix;
   for (Eigen::Index a = 0; a < matrix.rows(); ++a) {
     for (Eigen::Index b = 0; b < matrix.cols(); ++b) {

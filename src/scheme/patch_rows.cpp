@@ -35,7 +35,7 @@ class Piece {
 
   std::vector<Index> vertices_;  // of the mesh
   std::vector<Index> faces_;     // of the mesh
-  std::vector<std::vector<Index>> corners_;
+  std::vector<Index> corners_;   // of each face: how many, and their numbers
   std::vector<Crease> creases_;
   std::vector<Corner> sharp_;
   std::string key_;
@@ -52,10 +52,10 @@ void Piece::add_face(const Topology& topology, Index h) {
   const Index f = topology.face(h);
   if (std::find(faces_.begin(), faces_.end(), f) != faces_.end()) return;
   faces_.push_back(f);
-  std::vector<Index>& corners = corners_.emplace_back();
+  corners_.push_back(topology.face_degree(f));
   Index k = h;
   do {
-    corners.push_back(number(topology.tail(k)));
+    corners_.push_back(number(topology.tail(k)));
     k = topology.next(k);
   } while (k != h);
 }
@@ -93,15 +93,17 @@ void Piece::note_sharpness(const Topology& topology, const Sharpness& sharpness)
 }
 
 void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f) {
-  *this = Piece();
+  vertices_.clear();
+  faces_.clear();
+  corners_.clear();
+  creases_.clear();
+  sharp_.clear();
+  key_.clear();
   const Index begin = topology.face_begin(f);
   add_face(topology, begin);
   for (Index h = begin; h < topology.face_end(f); ++h) walk_around(topology, h);
   note_sharpness(topology, sharpness);
-  for (const auto& corners : corners_) {
-    append(static_cast<Index>(corners.size()));
-    for (const Index v : corners) append(v);
-  }
+  key_.append(reinterpret_cast<const char*>(corners_.data()), corners_.size() * sizeof(Index));
   append(kNone);
   for (const Crease& crease : creases_) append(crease);
   append(kNone);
@@ -111,7 +113,9 @@ void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f) {
 Mesh Piece::mesh() const {
   Mesh mesh;
   mesh.points.resize(vertices_.size());
-  for (const auto& corners : corners_) mesh.add_face(corners);
+  for (std::size_t k = 0; k < corners_.size(); k += corners_[k] + 1) {
+    mesh.add_face(std::span(corners_).subspan(k + 1, corners_[k]));
+  }
   mesh.creases = creases_;
   mesh.corners = sharp_;
   return mesh;
@@ -135,12 +139,13 @@ bool regular_quad(const Topology& topology, const Sharpness& sharpness, Index f,
     const Index diagonal = topology.rotate(beside);  // in the face that only touches the corner
     const Index after = topology.rotate(diagonal);   // in the face across the side after
     if (k == 0) {
-      vertices[at++] = head(beside);
       vertices[at++] = across(beside);
+      vertices[at++] = head(diagonal);
     }
-    if (k < 3) vertices[at++] = head(diagonal);
     vertices[at++] = across(diagonal);
-    if (k < 3) vertices[at++] = across(after);
+    if (k == 3) break;
+    vertices[at++] = head(after);
+    vertices[at++] = across(after);
   }
   return true;
 }

@@ -208,22 +208,23 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
   });
 }
 
-Result<SparseRows> SubdivisionScheme::given_limits(const Mesh& refined, const Topology& topology,
-                                                   const Rules& rules, Index given,
-                                                   const Context& context) const {
-  auto op = limit_operator(refined, topology, rules, context);
-  if (!op) return tl::make_unexpected(op.error());
-  return SparseRows::build(
-      context, given, [&](Index i) { return op->rows.row_length(i); },
-      [&](Index i, std::span<Index> columns, std::span<double> weights) {
-        std::copy_n(op->rows.row_columns(i).begin(), columns.size(), columns.begin());
-        std::copy_n(op->rows.row_weights(i).begin(), weights.size(), weights.begin());
-      });
+namespace {
+
+tl::unexpected<Error> no_derivatives(const SubdivisionScheme& scheme) {
+  return fail(
+      ErrorCode::unsuitable_for_scheme,
+      fmt::format("the derivatives of {} surfaces are not known to this version", scheme.title()));
+}
+
+}  // namespace
+
+Result<SparseRows> SubdivisionScheme::given_limits(const Mesh&, const Topology&, const Rules&,
+                                                   Index, const Context&) const {
+  return no_derivatives(*this);
 }
 
 Result<PatchKind> SubdivisionScheme::patch_kind(const Mesh&, const Rules&, int) const {
-  return fail(ErrorCode::unsuitable_for_scheme,
-              fmt::format("the derivatives of {} surfaces are not known to this version", title()));
+  return no_derivatives(*this);
 }
 
 Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rules, int levels,

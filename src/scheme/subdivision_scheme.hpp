@@ -39,7 +39,7 @@ class SubdivisionScheme {
                                                                  const Context& context) const = 0;
 
   /// The limit points of the given vertices as rows over the vertices of the mesh that they were
-  /// refined to by one step. Here: the first `given` rows of its limit operator.
+  /// refined to by one step. Here: fails as patch_kind does.
   [[nodiscard]] virtual Result<SparseRows> given_limits(const Mesh& refined,
                                                         const Topology& topology,
                                                         const Rules& rules, Index given,

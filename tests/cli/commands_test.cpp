@@ -60,6 +60,58 @@ TEST(Interpolate, TheOctahedronHasAKnownControlMesh) {
   EXPECT_EQ(control.annotation("boundary"), "edge-and-corner");
 }
 
+// Plain interpolation must refuse a cube with one corner moved; similarity and fairing give a
+// surface, which `check` accepts by the first vertices of the control mesh.
+TEST(Interpolate, SimilarityHasASurfaceWherePlainInterpolationHasNone) {
+  const TempFolder folder;
+  const std::string pulled =
+      folder.file("cube.off",
+                  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n2 2 2\n-1 1 1\n"
+                  "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  EXPECT_EQ(surpass({"interpolate", pulled, "-o", folder / "p.off"}).status, 3);
+  for (const Words& method : {Words{"--method", "similarity"}, Words{"--method", "fair"},
+                              Words{"--method", "similarity", "--similarity", "directions"},
+                              Words{"--method", "similarity", "--solver", "gauss-seidel"}}) {
+    Words words = {"interpolate",    pulled,     "-o", folder / "c.off",     "--surface",
+                   folder / "s.ply", "--levels", "1",  "--solver-tolerance", "1e-12"};
+    words.insert(words.end(), method.begin(), method.end());
+    const Outcome outcome = surpass(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("of which the first 8 are"), std::string::npos) << outcome.err;
+    const Outcome checked =
+        surpass({"check", folder / "c.off", "--against", pulled, "--tolerance", "1e-12"});
+    EXPECT_EQ(checked.status, 0) << checked.err;
+    const Mesh control = mesh_of(folder / "c.off");
+    EXPECT_EQ(control.points.size(), 26U);
+    EXPECT_EQ(control.annotation("refined"), "1");
+    const Mesh surface = mesh_of(folder / "s.ply");
+    EXPECT_NEAR(surface.points[6][0], 2, 1e-12);
+    EXPECT_EQ(surface.annotation("refined"), "");
+  }
+  // The values of the reference implementation, to what the solver's tolerance leaves.
+  const Mesh control = mesh_of(folder / "c.off");
+  EXPECT_NEAR(control.points[0][0], -1.1177818677862, 1e-11);
+  EXPECT_NEAR(control.points[6][0], 2.5744505853472, 1e-11);
+}
+
+TEST(Interpolate, AReferenceMayBeGivenOrRefined) {
+  const TempFolder folder;
+  const std::string given = data("quad_patch.ply");
+  const auto run = [&](const Words& more, const char* name) {
+    Words words = {"interpolate", given, "-o", folder / name, "--method", "similarity"};
+    words.insert(words.end(), more.begin(), more.end());
+    return surpass(words).status;
+  };
+  ASSERT_EQ(surpass({"subdivide", given, "-o", folder / "r.ply", "--levels", "1"}).status, 0);
+  ASSERT_EQ(run({"--scaling", "none"}, "a.ply"), 0);
+  ASSERT_EQ(run({"--reference", given}, "b.ply"), 0);
+  ASSERT_EQ(run({"--reference", folder / "r.ply"}, "c.ply"), 0);
+  EXPECT_EQ(mesh_of(folder / "a.ply").points, mesh_of(folder / "b.ply").points);
+  EXPECT_EQ(mesh_of(folder / "a.ply").points, mesh_of(folder / "c.ply").points);
+  EXPECT_EQ(run({"--reference", data("cube.obj")}, "d.ply"), 3);
+  EXPECT_EQ(run({"--reference", folder / "none.ply"}, "d.ply"), 2);
+}
+
 TEST(Interpolate, EverySolverFindsTheSameControlMesh) {
   const TempFolder folder;
   for (const char* solver : {"chebyshev", "richardson", "conjugate-gradient", "gauss-seidel"}) {

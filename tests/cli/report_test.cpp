@@ -52,6 +52,37 @@ TEST_F(Report, OfInterpolation) {
   valid({"interpolate", data("cube.obj"), "-o", folder_ / "c.ply", "--triangulate"}, 0);
 }
 
+TEST_F(Report, OfSimilarityAndFairing) {
+  const std::string given = data("quad_patch.ply");
+  const json vectors = valid(
+      {"interpolate", given, "-o", folder_ / "v.ply", "--method", "similarity", "--oracle"}, 0);
+  EXPECT_EQ(vectors["method"], "similarity");
+  EXPECT_EQ(vectors["similarity"]["form"], "vectors");
+  EXPECT_EQ(vectors["similarity"]["residuals"].size(), vectors["iterations"].get<std::size_t>());
+  EXPECT_LE(vectors["similarity"]["residual"], 1e-2);
+  EXPECT_LE(vectors["oracle"]["max"], 1e-12);
+  EXPECT_EQ(vectors["input"]["vertices"].get<std::size_t>() +
+                vectors["similarity"]["free_vertices"].get<std::size_t>(),
+            vectors["outputs"][0]["vertices"]);
+  const json none =
+      valid({"interpolate", given, "-o", folder_ / "d.ply", "--method", "similarity",
+             "--similarity", "directions", "--row-weights", "none", "--max-iterations", "0"},
+            0);
+  EXPECT_EQ(none["similarity"]["row_weights"], "none");
+  EXPECT_EQ(none["iterations"], 0);
+  EXPECT_LE(none["error"]["max"], 1e-12);
+  const json fair = valid({"interpolate", given, "-o", folder_ / "f.ply", "--method", "fair",
+                           "--membrane", "0.5", "--samples", "5", "--scaling", "isotropic"},
+                          0);
+  EXPECT_EQ(fair["similarity"]["membrane"], 0.5);
+  const json scale = fair["similarity"]["scale"];
+  EXPECT_EQ(scale[0], scale[2]);
+  const json twice = valid({"interpolate", data("octahedron.obj"), "-o", folder_ / "x.ply",
+                            "--method", "similarity", "--scheme", "doo-sabin"},
+                           3);
+  EXPECT_EQ(twice["failure"]["code"], "unsuitable-for-scheme");
+}
+
 TEST_F(Report, OfFailedInterpolation) {
   const json few = valid({"interpolate", data("sphere_irregular.obj"), "-o", folder_ / "x.obj",
                           "--max-iterations", "2"},

@@ -56,6 +56,24 @@ TEST(Usage, NumbersOutOfRangeAreRefused) {
                      "--max-iterations");
 }
 
+TEST(Usage, OptionsOfAnotherMethodAreRefused) {
+  const std::vector<std::string> start = {"interpolate", data("cube.obj"), "-o", "x.obj"};
+  const auto expect = [&](std::vector<std::string> more, const std::string& sentence) {
+    more.insert(more.begin(), start.begin(), start.end());
+    expect_usage_error(more, sentence);
+  };
+  expect({"--similarity", "vectors"}, "--similarity says nothing of the method progressive");
+  expect({"--method", "fair", "--similarity", "vectors"}, "of the method fair");
+  expect({"--method", "similarity", "--membrane", "1"}, "--membrane says nothing");
+  expect({"--method", "similarity", "--row-weights", "unit"}, "is for --similarity directions");
+  expect({"--method", "similarity", "--solver", "minres"}, "conjugate-gradient and gauss-seidel");
+  expect({"--method", "fair", "--direct"}, "--direct is for --method progressive");
+  expect({"--method", "fair", "--skip-component", "0"}, "--skip-component is for");
+  expect({"--method", "fair", "--thin-plate", "0"}, "not both 0");
+  expect({"--method", "similarity", "--samples", "4"}, "3, 5, 9 or 17");
+  expect({"--method", "similar"}, "did you mean 'similarity'?");
+}
+
 TEST(Usage, RefinementsBeyondAnyMemoryAreRefusedFirst) {
   const TempFolder folder;
   const std::string grid = folder.file("grid.off", grid_off(20));  // 722 triangles
