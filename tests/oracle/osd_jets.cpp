@@ -4,14 +4,13 @@
 #include <opensubdiv/bfr/surface.h>
 
 #include "osd.hpp"
-#include "osd_refiner.hpp"
 
 namespace surpass::test {
 
 namespace Bfr = OpenSubdiv::Bfr;
 
 std::vector<OsdJet> osd_jets(const Mesh& mesh, const Rules& rules) {
-  const auto refiner = osd_refiner(mesh, rules, 0);
+  const auto refiner = osd_refiner(mesh, rules);
   const Bfr::RefinerSurfaceFactory<> factory(*refiner);
   Bfr::Surface<double> surface;
   std::vector<OsdJet> jets;

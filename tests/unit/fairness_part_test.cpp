@@ -73,17 +73,23 @@ double drawn_area(const Mesh& mesh, const Rules& rules, int levels) {
   return sum;
 }
 
+// Doo-Sabin faces shrink to points, so there a hole is what lies between hole faces.
 TEST(FairnessPart, HolesAreNoPartOfAnySchemesSurface) {
   for (const Scheme scheme : all_schemes()) {
     const Rules rules{scheme};
     Mesh mesh = scheme == Scheme::loop ? test::triangle_grid(9, 9) : flat_grid();
     for (Point& p : mesh.points) p[2] = 0;
     const auto whole = fairness(mesh, rules, {.levels = 3}).value();
-    mesh.hole_faces = {54, 55};
+    const Index row = scheme == Scheme::loop ? 16 : 8;
+    for (Index j = 2; j < 5; ++j) {
+      for (Index i = row / 4; i < row * 5 / 8; ++i) mesh.hole_faces.push_back(j * row + i);
+    }
     const auto found = fairness(mesh, rules, {.levels = 3}).value();
-    EXPECT_NEAR(found.coverage.area, drawn_area(mesh, rules, 3), 1e-10) << name_of(scheme);
-    EXPECT_LT(found.coverage.area, whole.coverage.area - 0.5) << name_of(scheme);
-    EXPECT_LT(found.coverage.measured_patches, whole.coverage.measured_patches);
+    const double drawn = drawn_area(mesh, rules, 3);
+    // Near the border of a grid of triangles the area element is not constant.
+    EXPECT_NEAR(found.coverage.area, drawn, 2e-3) << name_of(scheme);
+    EXPECT_LT(drawn, 61) << name_of(scheme);
+    EXPECT_LT(found.coverage.measured_patches, whole.coverage.measured_patches - 100);
     EXPECT_NEAR(found.total_variation, 0, 1e-9);
   }
 }
