@@ -13,10 +13,6 @@ constexpr double kRegular = 0.09;     // share of the mean that regularises: 0.3
 constexpr double kVanishing = 1e-24;  // of the mean of |g|^2; below it g has no direction
 constexpr std::size_t kLanes = PatchLayout::kLanes;
 
-// A number, and a vector, of each of the patches that are treated abreast.
-using Lanes = std::array<double, kLanes>;
-using Vectors = std::array<Lanes, 3>;
-
 // The rows of a kind without their zeros.
 struct SparseKind {
   struct Row {
@@ -62,41 +58,38 @@ struct Means {
 // The points of a group of patches side by side; lanes without a patch are 0, and so is then all
 // that is made of them.
 void gather(const Index* local, std::size_t columns, std::size_t lanes, const double* x,
-            std::vector<Vectors>& points) {
-  points.assign(columns, Vectors{});
+            std::vector<LaneVectors>& points) {
+  points.assign(columns, {});
   for (std::size_t l = 0; l < lanes; ++l) {
     for (std::size_t c = 0; c < columns; ++c) {
-      const double* p = x + std::size_t{3} * local[l * columns + c];
-      for (std::size_t k = 0; k < 3; ++k) points[c][k][l] = p[k];
+      points[c].set(l, x + std::size_t{3} * local[l * columns + c]);
     }
   }
 }
 
 void scatter(const Index* local, std::size_t columns, std::size_t lanes,
-             const std::vector<Vectors>& points, double* y) {
+             const std::vector<LaneVectors>& points, double* y) {
   for (std::size_t l = 0; l < lanes; ++l) {
     for (std::size_t c = 0; c < columns; ++c) {
-      double* to = y + std::size_t{3} * local[l * columns + c];
-      for (std::size_t k = 0; k < 3; ++k) to[k] += points[c][k][l];
+      points[c].add_to(l, y + std::size_t{3} * local[l * columns + c]);
     }
   }
 }
 
-inline void times(const SparseKind& kind, const SparseKind::Row& row,
-                  const std::vector<Vectors>& points, Vectors& product) {
-  product = {};
+LaneVectors times(const SparseKind& kind, const SparseKind::Row& row,
+                  const std::vector<LaneVectors>& points) {
+  LaneVectors sum;
   for (std::size_t i = row.begin; i < row.end; ++i) {
-    const double w = kind.weight[i];
-    const Vectors& p = points[kind.column[i]];
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t l = 0; l < kLanes; ++l) product[k][l] += w * p[k][l];
-    }
+    sum.add(Lanes::all(kind.weight[i]), points[kind.column[i]]);
   }
+  return sum;
 }
 
-inline void dot(const Vectors& a, const Vectors& b, Lanes& product) {
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    product[l] = a[0][l] * b[0][l] + a[1][l] * b[1][l] + a[2][l] * b[2][l];
+// sums += the row's weights times a vector.
+void add_times(const SparseKind& kind, const SparseKind::Row& row, const LaneVectors& vector,
+               std::vector<LaneVectors>& sums) {
+  for (std::size_t i = row.begin; i < row.end; ++i) {
+    sums[kind.column[i]].add(Lanes::all(kind.weight[i]), vector);
   }
 }
 
@@ -117,8 +110,8 @@ class CrossProducts final : public PatchEnergy {
 
  private:
   void find_means(const Context& context);
-  // From |g|^2 to the weight of the row; 0 stays 0 or becomes what does no harm to lanes of zeros.
-  void weigh(const SparseKind::Row& row, const Lanes& square, Lanes& weight) const;
+  // From |g|^2 to the weight of the row; any will do where a lane has no patch.
+  [[nodiscard]] Lanes weight(const SparseKind::Row& row, const Lanes& square) const;
   [[nodiscard]] std::vector<double> local_points(const PatchLayout::Chunk& chunk,
                                                  std::span<const double> x) const;
 
@@ -144,15 +137,13 @@ void CrossProducts::find_means(const Context& context) {
       [&](const PatchLayout::Chunk& chunk) {
         Means sums;
         const auto reference = local_points(chunk, reference_);
-        std::vector<Vectors> points;
+        std::vector<LaneVectors> points;
         layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
           const SparseKind& kind = kinds_[number];
           gather(local, kind.columns, lanes, reference.data(), points);
           for (const SparseKind::Row& row : kind.rows) {
-            Vectors g;
-            Lanes square;
-            times(kind, row, points, g);
-            dot(g, g, square);
+            const LaneVectors g = times(kind, row, points);
+            const Lanes square = dot(g, g);
             for (std::size_t l = 0; l < lanes; ++l) {
               sums.squares[row.order] += row.count * square[l];
               sums.counts[row.order] += row.count;
@@ -170,23 +161,26 @@ void CrossProducts::find_means(const Context& context) {
       });
 }
 
-void CrossProducts::weigh(const SparseKind::Row& row, const Lanes& square, Lanes& weight) const {
+Lanes CrossProducts::weight(const SparseKind::Row& row, const Lanes& square) const {
   const double first = means_.mean(0);
-  const auto inverse = [&](double x) { return x > 0 ? row.count / x : 0.0; };
   switch (weights_) {
-    case RowWeights::none: weight.fill(row.count); return;
-    case RowWeights::unit:
+    case RowWeights::none: break;
+    case RowWeights::unit: {
+      Lanes weight;
       for (std::size_t l = 0; l < kLanes; ++l) {
-        weight[l] = square[l] > kVanishing * first ? inverse(square[l]) : 0;
+        if (square[l] > kVanishing * first) weight.set(l, row.count / square[l]);
       }
-      return;
-    case RowWeights::order:
-      weight.fill(inverse(std::max(means_.mean(row.order), kVanishing * first)));
-      return;
+      return weight;
+    }
+    case RowWeights::order: {
+      const double mean = std::max(means_.mean(row.order), kVanishing * first);
+      return Lanes::all(mean > 0 ? row.count / mean : 0);
+    }
     case RowWeights::regularised:
-      for (std::size_t l = 0; l < kLanes; ++l) weight[l] = inverse(square[l] + kRegular * first);
-      return;
+      if (!(first > 0)) return {};
+      return Lanes::all(row.count) / (square + Lanes::all(kRegular * first));
   }
+  return Lanes::all(row.count);
 }
 
 void CrossProducts::product(const Context& context, std::size_t, std::span<const double> x,
@@ -194,37 +188,23 @@ void CrossProducts::product(const Context& context, std::size_t, std::span<const
   layout_.add_up(context, 3, y, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
     const auto reference = local_points(chunk, reference_);
     const auto own = local_points(chunk, x);
-    std::vector<Vectors> at_reference;
-    std::vector<Vectors> at_x;
-    std::vector<Vectors> sums;
+    std::vector<LaneVectors> at_reference;
+    std::vector<LaneVectors> at_x;
+    std::vector<LaneVectors> sums;
     layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
       const SparseKind& kind = kinds_[number];
       gather(local, kind.columns, lanes, reference.data(), at_reference);
       gather(local, kind.columns, lanes, own.data(), at_x);
-      sums.assign(kind.columns, Vectors{});
+      sums.assign(kind.columns, {});
       for (const SparseKind::Row& row : kind.rows) {
-        Vectors g;
-        Vectors q;
-        Lanes square;
-        Lanes along;
-        Lanes weight;
-        times(kind, row, at_reference, g);
-        times(kind, row, at_x, q);
-        dot(g, g, square);
-        dot(g, q, along);
-        weigh(row, square, weight);
-        for (std::size_t k = 0; k < 3; ++k) {
-          for (std::size_t l = 0; l < kLanes; ++l) {
-            q[k][l] = weight[l] * (square[l] * q[k][l] - along[l] * g[k][l]);
-          }
-        }
-        for (std::size_t i = row.begin; i < row.end; ++i) {
-          const double w = kind.weight[i];
-          Vectors& to = sums[kind.column[i]];
-          for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t l = 0; l < kLanes; ++l) to[k][l] += w * q[k][l];
-          }
-        }
+        const LaneVectors g = times(kind, row, at_reference);
+        const LaneVectors q = times(kind, row, at_x);
+        const Lanes square = dot(g, g);
+        const Lanes w = weight(row, square);
+        LaneVectors stress;
+        stress.add(w * square, q);
+        stress.add(Lanes() - w * dot(g, q), g);
+        add_times(kind, row, stress, sums);
       }
       scatter(local, kind.columns, lanes, sums, values.data());
     });
@@ -232,8 +212,8 @@ void CrossProducts::product(const Context& context, std::size_t, std::span<const
 }
 
 // The upper triangle of w (|g|^2 I - g g').
-std::array<double, 6> block_of(const Vectors& g, double w, std::size_t lane) {
-  const std::array<double, 3> v = {g[0][lane], g[1][lane], g[2][lane]};
+std::array<double, 6> block_of(const LaneVectors& g, double w, std::size_t lane) {
+  const std::array<double, 3> v = {g.x[lane], g.y[lane], g.z[lane]};
   const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   return {w * (square - v[0] * v[0]), -w * v[0] * v[1], -w * v[0] * v[2],
           w * (square - v[1] * v[1]), -w * v[1] * v[2], w * (square - v[2] * v[2])};
@@ -243,19 +223,15 @@ std::vector<double> CrossProducts::diagonal(const Context& context) const {
   std::vector<double> sum(std::size_t{6} * layout_.control_count());
   layout_.add_up(context, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
     const auto reference = local_points(chunk, reference_);
-    std::vector<Vectors> points;
+    std::vector<LaneVectors> points;
     layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
       const SparseKind& kind = kinds_[number];
       gather(local, kind.columns, lanes, reference.data(), points);
       for (const SparseKind::Row& row : kind.rows) {
-        Vectors g;
-        Lanes square;
-        Lanes weight;
-        times(kind, row, points, g);
-        dot(g, g, square);
-        weigh(row, square, weight);
+        const LaneVectors g = times(kind, row, points);
+        const Lanes weights = weight(row, dot(g, g));
         for (std::size_t l = 0; l < lanes; ++l) {
-          const auto block = block_of(g, weight[l], l);
+          const auto block = block_of(g, weights[l], l);
           for (std::size_t i = row.begin; i < row.end; ++i) {
             const double w = kind.weight[i] * kind.weight[i];
             double* to = values.data() + std::size_t{6} * local[l * kind.columns + kind.column[i]];
@@ -271,17 +247,12 @@ std::vector<double> CrossProducts::diagonal(const Context& context) const {
 void CrossProducts::for_blocks(std::size_t patch, const UseBlock& use) const {
   const SparseKind& kind = kinds_[layout_.rows().kind_number(patch)];
   const std::size_t n = kind.columns;
-  std::vector<Vectors> points;
+  std::vector<LaneVectors> points;
   gather(layout_.rows().columns(patch).data(), n, 1, reference_.data(), points);
   std::vector<double> blocks(6 * n * n, 0.0);
   for (const SparseKind::Row& row : kind.rows) {
-    Vectors g;
-    Lanes square;
-    Lanes weight;
-    times(kind, row, points, g);
-    dot(g, g, square);
-    weigh(row, square, weight);
-    const auto block = block_of(g, weight[0], 0);
+    const LaneVectors g = times(kind, row, points);
+    const auto block = block_of(g, weight(row, dot(g, g))[0], 0);
     for (std::size_t i = row.begin; i < row.end; ++i) {
       for (std::size_t j = row.begin; j < row.end; ++j) {
         double* to = &blocks[6 * (kind.column[i] * n + kind.column[j])];

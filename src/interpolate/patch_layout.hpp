@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "interpolate/lanes.hpp"
 #include "parallel/parallel.hpp"
 #include "scheme/patch_rows.hpp"
 
@@ -19,7 +20,7 @@ class PatchLayout {
   [[nodiscard]] const PatchRows& rows() const { return rows_; }
   [[nodiscard]] Index control_count() const { return control_points_; }
 
-  static constexpr std::size_t kLanes = 4;
+  static constexpr std::size_t kLanes = Lanes::kCount;
 
   /// A chunk of patches, in an order of its own.
   struct Chunk {
@@ -28,8 +29,8 @@ class PatchLayout {
     const Index* local;  ///< for the columns of each patch in turn, numbers among the points
   };
 
-  /// Calls body(kind's number, local, lanes) for groups of up to kLanes patches of one kind: patch l
-  /// of the group has its columns at local + l * columns of the kind.
+  /// Calls body(kind's number, local, lanes) for groups of up to kLanes patches of one kind: patch
+  /// l of the group has its columns at local + l * columns of the kind.
   template <class Body>
   void for_groups(const Chunk& chunk, Body&& body) const {
     const Index* local = chunk.local;
@@ -52,8 +53,7 @@ class PatchLayout {
   void add_up(const Context& context, std::size_t width, std::span<double> y, Work&& work) const {
     std::vector<double> values(points_.size() * width, 0.0);
     for_chunks(context, [&](const Chunk& chunk, std::size_t number) {
-      work(chunk,
-           std::span(values).subspan(chunks_[number] * width, chunk.points.size() * width));
+      work(chunk, std::span(values).subspan(chunks_[number] * width, chunk.points.size() * width));
     });
     parallel::for_ranges(context, control_points_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t j = begin; j < end; ++j) {

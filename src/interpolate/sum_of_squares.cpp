@@ -1,6 +1,4 @@
 // Energies that see each coordinate alone: one small matrix for every kind of patch.
-#include <array>
-
 #include <Eigen/Core>
 
 #include "interpolate/patch_energy.hpp"
@@ -70,32 +68,17 @@ void apply_matrix(const Matrix& matrix, const Index* local, std::size_t width, c
 
 // The same for kLanes patches and three right-hand sides, the case that matters.
 void apply_matrix_abreast(const Matrix& matrix, const Index* local, const double* x, double* y,
-                          std::vector<double>& gathered) {
+                          std::vector<LaneVectors>& gathered) {
   const auto n = static_cast<std::size_t>(matrix.cols());
-  gathered.resize(3 * kLanes * n);
+  gathered.resize(n);
   for (std::size_t l = 0; l < kLanes; ++l) {
-    for (std::size_t b = 0; b < n; ++b) {
-      const double* p = x + std::size_t{3} * local[l * n + b];
-      for (std::size_t c = 0; c < 3; ++c) gathered[(3 * b + c) * kLanes + l] = p[c];
-    }
+    for (std::size_t b = 0; b < n; ++b) gathered[b].set(l, x + std::size_t{3} * local[l * n + b]);
   }
   for (std::size_t a = 0; a < n; ++a) {
     const double* row = matrix.data() + a * n;
-    std::array<double, kLanes> s0 = {};
-    std::array<double, kLanes> s1 = {};
-    std::array<double, kLanes> s2 = {};
-    const double* p = gathered.data();
-    for (std::size_t b = 0; b < n; ++b, p += 3 * kLanes) {
-      for (std::size_t l = 0; l < kLanes; ++l) s0[l] += row[b] * p[l];
-      for (std::size_t l = 0; l < kLanes; ++l) s1[l] += row[b] * p[kLanes + l];
-      for (std::size_t l = 0; l < kLanes; ++l) s2[l] += row[b] * p[2 * kLanes + l];
-    }
-    for (std::size_t l = 0; l < kLanes; ++l) {
-      double* to = y + std::size_t{3} * local[l * n + a];
-      to[0] += s0[l];
-      to[1] += s1[l];
-      to[2] += s2[l];
-    }
+    LaneVectors sum;
+    for (std::size_t b = 0; b < n; ++b) sum.add(Lanes::all(row[b]), gathered[b]);
+    for (std::size_t l = 0; l < kLanes; ++l) sum.add_to(l, y + std::size_t{3} * local[l * n + a]);
   }
 }
 
@@ -120,7 +103,7 @@ void SumOfSquares::product(const Context& context, std::size_t width, std::span<
     for (std::size_t k = 0; k < chunk.points.size(); ++k) {
       std::copy_n(x.data() + chunk.points[k] * width, width, own.data() + k * width);
     }
-    std::vector<double> gathered;
+    std::vector<LaneVectors> gathered;
     layout_.for_groups(chunk, [&](Index kind, const Index* local, std::size_t lanes) {
       const KindForm& f = forms_[kind];
       if (f.matrix.size() != 0 && width == 3 && lanes == kLanes) {

@@ -10,7 +10,7 @@ namespace surpass::test {
 namespace Bfr = OpenSubdiv::Bfr;
 
 std::vector<OsdJet> osd_jets(const Mesh& mesh, const Rules& rules) {
-  const auto refiner = osd_refiner(mesh, rules);
+  const auto refiner = osd_refiner(mesh, rules, 0);
   const Bfr::RefinerSurfaceFactory<> factory(*refiner);
   Bfr::Surface<double> surface;
   std::vector<OsdJet> jets;
