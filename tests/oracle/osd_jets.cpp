@@ -4,6 +4,7 @@
 #include <opensubdiv/bfr/surface.h>
 
 #include "osd.hpp"
+#include "osd_refiner.hpp"
 
 namespace surpass::test {
 
