@@ -1,13 +1,37 @@
 #include "similar.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "mesh_input.hpp"
+#include "requirements_file.hpp"
 
 namespace surpass::cli {
+
+namespace {
+
+constexpr const char* kGivenNormals = "given";
+
+Json requirements_json(const std::vector<Requirement>& requirements,
+                       const std::vector<RequirementOutcome>& outcomes) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < requirements.size(); ++i) {
+    Json entry = {{"what", describe(requirements[i])},
+                  {"error", outcomes[i].error},
+                  {"redundant", outcomes[i].redundant}};
+    const Requirement::Kind kind = requirements[i].kind;
+    if (kind == Requirement::Kind::normal || kind == Requirement::Kind::direction) {
+      entry["flipped"] = outcomes[i].flipped;
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
 
 const char* name_of(Method method) {
   switch (method) {
@@ -40,6 +64,16 @@ void Similar::define(Options& options) {
                    "Another reference: a mesh with the faces of the given one, or of that refined "
                    "once, whose surface is the one to resemble")
               .type_name("MESH"));
+  grouped(options
+              .add("--requirements", requirements_path_,
+                   "Normals, derivatives and points that the surface shall have, given vertices to "
+                   "move or to let go: JSON, as docs/requirements.schema.json says")
+              .type_name("FILE"));
+  grouped(options
+              .add("--normals", normals_path_,
+                   "The surface shall have the vertex normals of this mesh, vertex by vertex; or "
+                   "given: those of the given file")
+              .type_name("MESH"));
   samples_ = grouped(options
                          .add("--samples", options_.samples,
                               "Derivatives are sampled at this many points along the side of a "
@@ -70,7 +104,11 @@ void Similar::define(Options& options) {
 }
 
 std::vector<std::string> Similar::inputs() const {
-  return reference_path_.empty() ? std::vector<std::string>() : std::vector{reference_path_};
+  std::vector<std::string> paths;
+  for (const std::string& path : {reference_path_, requirements_path_, normals_path_}) {
+    if (!path.empty() && path != kGivenNormals) paths.push_back(path);
+  }
+  return paths;
 }
 
 Result<void> Similar::check(Method method) const {
@@ -85,6 +123,8 @@ Result<void> Similar::check(Method method) const {
       Rule{"--row-weights", row_weights_.has_value(), true, false},
       Rule{"--scaling", scaling_.has_value(), true, true},
       Rule{"--reference", !reference_path_.empty(), true, true},
+      Rule{"--requirements", !requirements_path_.empty(), true, true},
+      Rule{"--normals", !normals_path_.empty(), true, true},
       Rule{"--samples", samples_.given(), true, true},
       Rule{"--thin-plate", thin_plate_.given(), false, true},
       Rule{"--membrane", membrane_.given(), false, true},
@@ -124,6 +164,43 @@ Result<void> Similar::load_reference(const Mesh& given, Session& session) {
   return {};
 }
 
+Result<std::vector<Point>> Similar::load_normals(const Mesh& given, Session& session) const {
+  std::optional<LoadedMesh> other;
+  if (normals_path_ != kGivenNormals) {
+    Result<LoadedMesh> loaded = load_mesh(normals_path_, Format::automatic, session);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    other = std::move(*loaded);
+  }
+  const Mesh& mesh = other ? other->mesh : given;
+  const auto channel = std::find_if(mesh.channels.begin(), mesh.channels.end(), [](const auto& c) {
+    return c.name == "normal" && c.width() == 3;
+  });
+  if (mesh.points.size() != given.points.size() || channel == mesh.channels.end()) {
+    return fail(ErrorCode::mismatch,
+                other ? fmt::format("{} has no normals for the {} vertices of the given mesh",
+                                    normals_path_, given.points.size())
+                      : "the given file has no normals, one for each vertex");
+  }
+  std::vector<Point> normals(given.points.size());
+  std::copy(channel->values.begin(), channel->values.end(), flat(std::span(normals)).begin());
+  return normals;
+}
+
+Result<void> Similar::load_requirements(const Mesh& given, Session& session) {
+  if (!requirements_path_.empty()) {
+    auto read = read_requirements(requirements_path_);
+    if (!read) return tl::make_unexpected(read.error());
+    requirements_ = std::move(*read);
+  }
+  if (normals_path_.empty()) return {};
+  const auto normals = load_normals(given, session);
+  if (!normals) return tl::make_unexpected(normals.error());
+  const auto everywhere = normals_everywhere(given, options_.rules, *normals);
+  if (!everywhere) return tl::make_unexpected(everywhere.error());
+  requirements_.insert(requirements_.end(), everywhere->begin(), everywhere->end());
+  return {};
+}
+
 Result<void> Similar::prepare(Method method, const InterpolateOptions& common, const Mesh& given,
                               Session& session) {
   options_.rules = common.rules;
@@ -145,12 +222,14 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common, c
     return tl::make_unexpected(error);
   }
   solver_ = std::move(*solver);
+  if (auto loaded = load_requirements(given, session); !loaded) return loaded;
   return load_reference(given, session);
 }
 
 Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) const {
   auto solution = session.timed("solve", [&] {
-    return solver_->solve_like(reference_, mesh.points, mesh.channels, session.context);
+    return solver_->solve_required(requirements_, mesh.points, reference_, mesh.channels,
+                                   session.context);
   });
   if (!solution) return tl::make_unexpected(solution.error());
   const SimilarityReport& report = solution->report;
@@ -170,8 +249,11 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
     similarity["thin_plate"] = options_.thin_plate;
     similarity["membrane"] = options_.membrane;
   }
+  if (!requirements_.empty()) {
+    similarity["requirements"] = requirements_json(requirements_, report.requirements);
+  }
   session.report["similarity"] = std::move(similarity);
-  given = std::move(mesh.points);
+  given = std::move(solution->targets);
   mesh = solver_->refined();
   mesh.points = std::move(solution->points);
   mesh.channels = std::move(solution->channels);

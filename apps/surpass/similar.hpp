@@ -1,6 +1,7 @@
 // `interpolate --method similarity` and `--method fair`: their options, and the solve.
 #pragma once
 
+#include <surpass/requirements.hpp>
 #include <surpass/similarity.hpp>
 
 #include <memory>
@@ -35,7 +36,8 @@ class Similar {
   /// The topology of the control mesh.
   [[nodiscard]] const Mesh& control() const { return solver_->refined(); }
 
-  /// Turns the given mesh into the control mesh; its points become `given`.
+  /// Turns the given mesh into the control mesh; its points become `given`, with those in their
+  /// place that requirements ask for.
   [[nodiscard]] Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given,
                                           Session& session) const;
 
@@ -46,12 +48,17 @@ class Similar {
 
  private:
   [[nodiscard]] Result<void> load_reference(const Mesh& given, Session& session);
+  [[nodiscard]] Result<void> load_requirements(const Mesh& given, Session& session);
+  [[nodiscard]] Result<std::vector<Point>> load_normals(const Mesh& given, Session& session) const;
 
   std::optional<Similarity> form_;
   std::optional<RowWeights> row_weights_;
   std::optional<Scaling> scaling_;
   SimilarityOptions options_;
   std::string reference_path_;
+  std::string requirements_path_;
+  std::string normals_path_;
+  std::vector<Requirement> requirements_;
   std::vector<Point> reference_;
   std::optional<SimilarityInterpolator> solver_;
   Option thin_plate_;

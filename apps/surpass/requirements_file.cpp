@@ -1,0 +1,155 @@
+#include "requirements_file.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <initializer_list>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace surpass::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+// One entry of the list. Whatever is wrong with it, the first thing found is kept.
+class Entry {
+ public:
+  Entry(const Json& json, std::size_t number, const std::string& path)
+      : json_(json), number_(number), path_(path) {}
+
+  Result<Requirement> read() {
+    if (!json_.is_object()) return refuse("it is not an object");
+    if (!choose_kind() || !locate() || !read_along()) return refuse(problem_);
+    for (const auto& [key, value] : json_.items()) {
+      if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+        return refuse(fmt::format("\"{}\" has no meaning here", key));
+      }
+    }
+    return requirement_;
+  }
+
+ private:
+  using Kind = Requirement::Kind;
+
+  [[nodiscard]] tl::unexpected<Error> refuse(std::string_view why) const {
+    return fail(ErrorCode::syntax, fmt::format("requirement {}: {}", number_, why),
+                Place{.file = path_});
+  }
+  bool problem(std::string text) {
+    problem_ = std::move(text);
+    return false;
+  }
+
+  // Exactly one of the kinds' names is a key: its value is the requirement's.
+  bool choose_kind() {
+    int found = 0;
+    for (const Kind kind :
+         {Kind::position, Kind::normal, Kind::direction, Kind::derivative, Kind::remove}) {
+      const char* name = name_of(kind);
+      if (!json_.contains(name)) continue;
+      ++found;
+      requirement_.kind = kind;
+      known_.emplace_back(name);
+    }
+    if (found != 1) {
+      return problem("it has to have one of position, normal, direction, derivative and remove");
+    }
+    const std::string name = known_.back();
+    if (requirement_.kind == Kind::remove) {
+      return json_[name] == true || problem("\"remove\" can only be true");
+    }
+    return numbers(name, requirement_.value.data(), 3);
+  }
+
+  bool locate() {
+    if (json_.contains("vertex") == json_.contains("face")) {
+      return problem("it has to have either a vertex or a face");
+    }
+    if (json_.contains("vertex")) return index("vertex", requirement_.vertex);
+    SurfacePlace& place = requirement_.place;
+    return index("face", place.face) && numbers("uv", &place.u, &place.v) &&
+           (!json_.contains("corner") || index("corner", place.corner));
+  }
+
+  bool read_along() {
+    if (requirement_.kind != Kind::direction && requirement_.kind != Kind::derivative) return true;
+    if (requirement_.vertex != kNone) return index("towards", requirement_.towards);
+    return numbers("along", requirement_.along.data(), &requirement_.along[1]);
+  }
+
+  bool index(const char* key, Index& value) {
+    known_.emplace_back(key);
+    if (!json_.contains(key)) return problem(fmt::format("\"{}\" is missing", key));
+    const Json& json = json_[key];
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= kNone) {
+      return problem(fmt::format("\"{}\" is not a number of an element, counted from 0", key));
+    }
+    value = json.get<Index>();
+    return true;
+  }
+
+  bool numbers(const std::string& key, double* values, std::size_t count) {
+    const Json& json = json_[key];
+    bool right = json.is_array() && json.size() == count;
+    for (std::size_t i = 0; right && i < count; ++i) {
+      right = json[i].is_number() && std::isfinite(json[i].get<double>());
+      if (right) values[i] = json[i].get<double>();
+    }
+    return right || problem(fmt::format("\"{}\" has to be a list of {} numbers", key, count));
+  }
+
+  bool numbers(const char* key, double* first, double* second) {
+    known_.emplace_back(key);
+    std::array<double, 2> pair = {};
+    if (!json_.contains(key)) return problem(fmt::format("\"{}\" is missing", key));
+    if (!numbers(std::string(key), pair.data(), 2)) return false;
+    *first = pair[0];
+    *second = pair[1];
+    return true;
+  }
+
+  const Json& json_;
+  std::size_t number_;
+  const std::string& path_;
+  Requirement requirement_;
+  std::vector<std::string> known_;
+  std::string problem_;
+};
+
+}  // namespace
+
+Result<std::vector<Requirement>> read_requirements(const std::string& path) {
+  std::ifstream file(path);
+  const Place place{.file = path};
+  if (!file) {
+    return fail(ErrorCode::cannot_open, fmt::format("cannot be opened: {}", std::strerror(errno)),
+                place);
+  }
+  Json json;
+  try {
+    json = Json::parse(file);
+  } catch (const Json::parse_error& error) {
+    Place where = place;
+    where.byte = error.byte > 0 ? error.byte - 1 : 0;
+    return fail(ErrorCode::syntax, "is not JSON from here on", where);
+  } catch (const Json::exception&) {
+    return fail(ErrorCode::syntax, "holds a number that no double can hold", place);
+  }
+  if (!json.is_object() || json.size() != 1 || !json.contains("requirements") ||
+      !json["requirements"].is_array()) {
+    return fail(ErrorCode::syntax,
+                "has to be an object with the list \"requirements\", and nothing else", place);
+  }
+  std::vector<Requirement> requirements;
+  for (const Json& entry : json["requirements"]) {
+    auto read = Entry(entry, requirements.size(), path).read();
+    if (!read) return tl::make_unexpected(read.error());
+    requirements.push_back(*read);
+  }
+  return requirements;
+}
+
+}  // namespace surpass::cli

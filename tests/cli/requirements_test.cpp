@@ -1,0 +1,158 @@
+// --requirements and --normals: what their files may say, and that what they say holds.
+#include <surpass/surpass.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+#include "schema.hpp"
+
+namespace surpass::test {
+namespace {
+
+using nlohmann::json;
+
+class Requirements : public testing::Test {
+ protected:
+  Outcome run(const json& requirements, std::vector<std::string> more = {}) {
+    const std::string path = folder_.file("requirements.json", requirements.dump());
+    std::vector<std::string> words = {"interpolate", data("quad_torus.obj"), "-o",
+                                      control_,      "--requirements",       path};
+    if (std::find(more.begin(), more.end(), "--method") == more.end()) {
+      more.insert(more.end(), {"--method", "similarity"});
+    }
+    words.insert(words.end(), more.begin(), more.end());
+    std::filesystem::remove(control_);
+    return surpass(words);
+  }
+  static json list(const std::vector<json>& entries) { return {{"requirements", entries}}; }
+
+  TempFolder folder_;
+  std::string control_ = folder_ / "control.ply";
+  Schema schema_{SURPASS_REQUIREMENTS_SCHEMA};
+};
+
+const json kNormal = {{"vertex", 3}, {"normal", {0.1, 0.2, 1}}};
+const json kPosition = {{"face", 5}, {"uv", {0.5, 0.25}}, {"position", {1, 0.5, 0.3}}};
+const json kDirection = {
+    {"face", 9}, {"uv", {0.1, 0.9}}, {"along", {1, 0}}, {"direction", {0, 0.5, 1}}};
+const json kDerivative = {{"face", 7},
+                          {"uv", {0.25, 0.5}},
+                          {"corner", 2},
+                          {"along", {1, 0.5}},
+                          {"derivative", {0, 1, 0}}};
+const json kRemove = {{"vertex", 12}, {"remove", true}};
+const json kMoved = {{"vertex", 13}, {"position", {1, 1, 1}}};
+
+TEST_F(Requirements, AreMetAndReported) {
+  const json all = list({kNormal, kPosition, kDirection, kDerivative, kRemove, kMoved, kNormal});
+  EXPECT_EQ(schema_.complaint(all.dump()), "");
+  const std::string report_path = folder_ / "report.json";
+  for (const char* form : {"vectors", "directions"}) {
+    const Outcome outcome = run(all, {"--similarity", form, "--report", report_path, "--oracle",
+                                      "--max-iterations", "5", "--solver-tolerance", "0.01"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const json report = json::parse(slurp(report_path));
+    EXPECT_EQ(Schema(SURPASS_SCHEMA).complaint(report.dump()), "");
+    const json& requirements = report["similarity"]["requirements"];
+    ASSERT_EQ(requirements.size(), 7U);
+    for (const json& r : requirements) EXPECT_LT(r["error"], 1e-14) << r;
+    EXPECT_EQ(requirements[0]["redundant"], false);
+    EXPECT_EQ(requirements[6]["redundant"], true);
+    EXPECT_NE(outcome.err.find("follow from the others"), std::string::npos) << outcome.err;
+    const Mesh control = read_mesh(control_)->mesh;
+    const auto limits = limit_positions(control, {Scheme::catmull_clark}).value();
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(limits[13][c], 1, 1e-13);
+  }
+}
+
+TEST_F(Requirements, ContradictionsAreNamedAndNothingIsWritten) {
+  json other = kPosition;
+  other["position"][0] = 1.25;
+  const Outcome outcome = run(list({kNormal, kPosition, other}));
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("1 (position on face 5"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("2 (position on face 5"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(control_));
+}
+
+// What the schema refuses, the program refuses, with a sentence.
+TEST_F(Requirements, WhatTheSchemaRefusesIsRefused) {
+  const auto with = [](json entry, const char* key, const json& value) {
+    entry[key] = value;
+    return entry;
+  };
+  const std::vector<json> wrong = {
+      json::array(),
+      json::object(),
+      {{"requirements", 3}},
+      {{"requirements", json::array()}, {"more", 1}},
+      list({json(7)}),
+      list({{{"vertex", 3}}}),
+      list({{{"normal", {0, 0, 1}}}}),
+      list({with(kNormal, "position", {0, 0, 0})}),
+      list({with(kNormal, "face", 2)}),
+      list({with(kNormal, "vertex", -1)}),
+      list({with(kNormal, "vertex", 1.5)}),
+      list({with(kNormal, "vertex", "3")}),
+      list({with(kNormal, "normal", {1, 2})}),
+      list({with(kNormal, "normal", {1, 2, "x"})}),
+      list({with(kNormal, "towards", 4)}),
+      list({with(kNormal, "colour", 4)}),
+      list({with(kPosition, "uv", {0.5})}),
+      list({with(kPosition, "uv", {0.5, 1.5})}),
+      list({with(kPosition, "along", {1, 0})}),
+      list({with(kRemove, "remove", false)}),
+      list({{{"face", 1}, {"uv", {0, 0}}, {"remove", true}}}),
+      list({{{"vertex", 1}, {"direction", {0, 0, 1}}}}),
+  };
+  for (const json& document : wrong) {
+    EXPECT_NE(schema_.complaint(document.dump()), "") << document;
+    const Outcome outcome = run(document);
+    EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << document << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(control_));
+  }
+  for (const char* text :
+       {"", "{\"requirements\": [", "{\"requirements\": [{\"vertex\": 1e999}]}"}) {
+    const std::string path = folder_.file("broken.json", text);
+    const Outcome outcome = surpass({"interpolate", data("quad_torus.obj"), "-o", control_,
+                                     "--method", "fair", "--requirements", path});
+    EXPECT_EQ(outcome.status, 2) << text << outcome.err;
+  }
+}
+
+TEST_F(Requirements, NormalsOfTheGivenFileOrAnother) {
+  // The surface of a mesh, as a mesh with normals.
+  const std::string with_normals = folder_ / "with_normals.ply";
+  ASSERT_EQ(
+      surpass({"subdivide", data("quad_torus.obj"), "-o", with_normals, "--levels", "0", "--limit"})
+          .status,
+      0);
+  const std::string report_path = folder_ / "report.json";
+  for (const std::string& normals : {std::string("given"), with_normals}) {
+    const Outcome outcome =
+        surpass({"interpolate", with_normals, "-o", control_, "--method", "fair", "--scheme",
+                 "catmull-clark", "--normals", normals, "--report", report_path});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const json report = json::parse(slurp(report_path));
+    const Mesh given = read_mesh(with_normals)->mesh;
+    const json& requirements = report["similarity"]["requirements"];
+    ASSERT_EQ(requirements.size(), given.points.size());
+    for (const json& r : requirements) {
+      EXPECT_LT(r["error"], 1e-14);
+      EXPECT_EQ(r["flipped"], false);
+    }
+  }
+  const Outcome none = surpass({"interpolate", data("quad_torus.obj"), "-o", control_, "--method",
+                                "fair", "--normals", "given"});
+  EXPECT_EQ(none.status, 3) << none.err;
+  EXPECT_NE(none.err.find("no normals"), std::string::npos);
+}
+
+TEST_F(Requirements, AreOfTheMethodsThatHaveFreedom) {
+  const Outcome outcome = run(list({kNormal}), {"--method", "progressive"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+}
+
+}  // namespace
+}  // namespace surpass::test
