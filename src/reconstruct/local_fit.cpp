@@ -15,8 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d as_vector(const Point& p) { return {p[0], p[1], p[2]}; }
-
 std::vector<Index> with_itself(Index i, std::span<const Index> neighbours) {
   std::vector<Index> all(neighbours.begin(), neighbours.end());
   all.push_back(i);
