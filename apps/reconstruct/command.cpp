@@ -4,8 +4,12 @@
 // written.
 #include "command.hpp"
 
-#include <algorithm>
+#include <surpass/quality.hpp>
+
+#include <initializer_list>
 #include <optional>
+
+#include <fmt/format.h>
 
 #include "levels.hpp"
 #include "mesh_input.hpp"

@@ -8,12 +8,12 @@
 
 namespace surpass::cli {
 
-[[nodiscard]] Json reconstruction_json(const ReconstructReport& found);
+[[nodiscard]] Json reconstruction_json(const ReconstructReport& r);
 
 /// Relative to `box_side`.
 [[nodiscard]] Json limit_distances_json(const LimitDistances& distances, double box_side);
 
-[[nodiscard]] std::string summary(const ReconstructReport& found, const Mesh& mesh);
+[[nodiscard]] std::string summary(const ReconstructReport& r, const Mesh& mesh);
 [[nodiscard]] std::string summary(const LimitDistances& distances, double box_side);
 
 }  // namespace surpass::cli

@@ -33,7 +33,7 @@ class Command {
 
 struct CommandEntry {
   const char* name;
-  const char* summary;  ///< one line for `surpass --help`
+  const char* summary;                 ///< one line for `surpass --help`
   std::unique_ptr<Command> (*make)();  ///< nullptr: the program surpass-NAME is the command
 };
 

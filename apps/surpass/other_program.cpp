@@ -28,6 +28,7 @@ int run_other_program(const CommandEntry& entry, const std::vector<std::string>&
   std::vector<std::string> arguments = {name};
   arguments.insert(arguments.end(), words.begin(), words.end());
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   execv(beside_this_program(name).c_str(), pointers.data());

@@ -135,9 +135,9 @@ struct LimitDistances {
 };
 
 /// Points that are vertices (`source`, #V numbers into `points`; or empty) are measured to their
-/// vertex's limit point, exactly. All others to the control mesh refined and moved to the limit, three
-/// times or until it would have more than 800,000 triangles. `unused` is ascending. In the units of the points.
-/// Errors: those of limit_mesh and point_distances.
+/// vertex's limit point, exactly. All others to the control mesh refined and moved to the limit,
+/// three times or until it would have more than 800,000 triangles. `unused` is ascending. In the
+/// units of the points. Errors: those of limit_mesh and point_distances.
 [[nodiscard]] Result<LimitDistances> limit_distances(std::span<const Point> points,
                                                      std::span<const Index> source,
                                                      std::span<const Index> unused,

@@ -65,8 +65,7 @@ Result<LoadedMesh> parse(std::string_view bytes, Format format, const std::strin
     format = *detected;
   }
   out.format = format;
-  const bool has_comments =
-      format == Format::obj || format == Format::off || format == Format::xyz;
+  const bool has_comments = format == Format::obj || format == Format::off || format == Format::xyz;
   io::Scanner scan(bytes, name, has_comments ? '#' : '\n');
   scan.advance(skipped);
   if (points_only) scan.allow_not_finite();

@@ -80,8 +80,7 @@ class Scanner {
     const char* start = at_;
     const char* digits = start + (peek() == '+' && peek(1) != '-' ? 1 : 0);
     const auto [stop, failure] = fast_float::from_chars(digits, end_, value);
-    if (failure != std::errc() || !ends_word(stop) ||
-        (!std::isfinite(value) && !not_finite_)) {
+    if (failure != std::errc() || !ends_word(stop) || (!std::isfinite(value) && !not_finite_)) {
       return refuse_number(what);
     }
     at_ = stop;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/disjoint_sets.hpp"
+#include "reconstruct/vectors.hpp"
 
 namespace surpass::reconstruction {
 namespace {
@@ -14,10 +15,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kShortestCurve = 4;  // edges
 
-Vector3d position(const Mesh& mesh, Index v) {
-  const Point& p = mesh.points[v];
-  return {p[0], p[1], p[2]};
-}
+Vector3d position(const Mesh& mesh, Index v) { return as_vector(mesh.points[v]); }
 
 Vector3d normal(const Mesh& mesh, Index f) {
   const auto face = mesh.face(f);

@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include "reconstruct/clean_up.hpp"
+#include "reconstruct/vectors.hpp"
 
 namespace surpass::reconstruction {
 namespace {
@@ -23,8 +24,6 @@ using Eigen::Vector3d;
 // The programme takes time with the cube of the length: longer loops are cut at short chords first.
 constexpr std::size_t kLongestLoop = 150;
 constexpr std::size_t kSmallLoop = 30;
-
-Vector3d as_vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
 // The edges that a mesh has, by their end vertices.
 class Edges {

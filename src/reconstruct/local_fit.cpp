@@ -15,8 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d as_vector(const Point& p) { return {p[0], p[1], p[2]}; }
-
 std::vector<Index> with_itself(Index i, std::span<const Index> neighbours) {
   std::vector<Index> all(neighbours.begin(), neighbours.end());
   all.push_back(i);
@@ -91,6 +89,7 @@ double gap_between_sheets(std::span<const Point> points, Index i,
   if (all.size() < 2 * kLeastInSheet) return 0;
   const LocalPlane plane = fit_plane(points, all);
   std::vector<double> heights;
+  heights.reserve(all.size());
   for (const Index j : all) heights.push_back(plane.local(points[j])[2]);
   std::sort(heights.begin(), heights.end());
   double gap = 0;

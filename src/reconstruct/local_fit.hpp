@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "reconstruct/vectors.hpp"
+
 namespace surpass::reconstruction {
 
 /// A plane through the centre of some points, by principal components.
@@ -15,7 +17,7 @@ struct LocalPlane {
   Eigen::Vector3d centre;
   Eigen::Matrix3d axes;  ///< columns: two in the plane, then the normal
   [[nodiscard]] Eigen::Vector3d local(const Point& p) const {
-    return axes.transpose() * (Eigen::Vector3d(p[0], p[1], p[2]) - centre);
+    return axes.transpose() * (as_vector(p) - centre);
   }
 };
 [[nodiscard]] LocalPlane fit_plane(std::span<const Point> points, std::span<const Index> chosen);

@@ -8,13 +8,12 @@
 
 #include "mesh/disjoint_sets.hpp"
 #include "reconstruct/clean_up.hpp"
+#include "reconstruct/vectors.hpp"
 
 namespace surpass::reconstruction {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d as_vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
 struct Piece {
   bool open = false;

@@ -16,7 +16,7 @@ constexpr double kVeryFar = 3;       // beyond what random samples of a surface 
 constexpr double kOffSurface = 0.5;  // spacings from the neighbours' plane
 constexpr double kMostLeftOut = 0.1;
 
-enum Suspicion : unsigned char { kRegular, kAlone, kFarAlone };
+enum Suspicion : unsigned char { regular, alone, far_alone };
 
 Suspicion suspicion(const Cloud& cloud, Index i, const std::vector<Index>& near, double spacing) {
   const Point& p = cloud.points[i];
@@ -28,13 +28,13 @@ Suspicion suspicion(const Cloud& cloud, Index i, const std::vector<Index>& near,
     }
   }
   const double reach = std::sqrt(sum / static_cast<double>(near.size()));
-  if (reach <= kFar * spacing) return kRegular;
+  if (reach <= kFar * spacing) return regular;
   const Point& nearest = cloud.points[near.front()];
   const bool is_isolated =
       std::hypot(nearest[0] - p[0], nearest[1] - p[1], nearest[2] - p[2]) > kVeryFar * spacing;
   const LocalPlane plane = fit_plane(cloud.points, near);
-  if (!is_isolated && std::abs(plane.local(p)[2]) <= kOffSurface * spacing) return kRegular;
-  return reach > kVeryFar * spacing ? kFarAlone : kAlone;
+  if (!is_isolated && std::abs(plane.local(p)[2]) <= kOffSurface * spacing) return regular;
+  return reach > kVeryFar * spacing ? far_alone : alone;
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ Suspicion suspicion(const Cloud& cloud, Index i, const std::vector<Index>& near,
 Result<std::vector<unsigned char>> find_outliers(const Cloud& cloud, const Neighbours& neighbours,
                                                  double spacing, bool always,
                                                  const Context& context) {
-  std::vector<unsigned char> found(cloud.points.size(), kRegular);
+  std::vector<unsigned char> found(cloud.points.size(), regular);
   const auto done =
       for_points(context, "outliers", found.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<Index> near;
@@ -52,13 +52,13 @@ Result<std::vector<unsigned char>> find_outliers(const Cloud& cloud, const Neigh
         }
       });
   if (!done) return tl::make_unexpected(done.error());
-  const auto far = std::count(found.begin(), found.end(), kFarAlone);
-  const auto fine = std::count(found.begin(), found.end(), kRegular);
+  const auto far = std::count(found.begin(), found.end(), far_alone);
+  const auto fine = std::count(found.begin(), found.end(), regular);
   const double left_out = 1 - static_cast<double>(fine) / static_cast<double>(found.size());
   if (!always && (far == 0 || left_out >= kMostLeftOut)) {
-    std::fill(found.begin(), found.end(), kRegular);
+    std::fill(found.begin(), found.end(), regular);
   }
-  for (unsigned char& f : found) f = f == kRegular ? 0 : 1;
+  for (unsigned char& f : found) f = f == regular ? 0 : 1;
   return found;
 }
 

@@ -13,6 +13,7 @@
 #include "reconstruct/collapse_mesh.hpp"
 #include "reconstruct/lines.hpp"
 #include "reconstruct/quadric.hpp"
+#include "reconstruct/vectors.hpp"
 
 namespace surpass::reconstruction {
 namespace {
@@ -49,7 +50,7 @@ class Simplification {
         version_(mesh.points.size(), 0),
         boundary_(mesh.points.size(), 0),
         guards_(triangles_, points_, boundary_) {
-    for (const Point& p : mesh.points) points_.emplace_back(p[0], p[1], p[2]);
+    for (const Point& p : mesh.points) points_.push_back(as_vector(p));
     for (Index v = 0; v < topology.vertex_count(); ++v) {
       if (topology.outgoing(v) == kNone) continue;
       ++left_;
