@@ -20,7 +20,13 @@ struct Lanes {
   [[nodiscard]] double operator[](std::size_t lane) const {
     return lane < 2 ? low[lane] : high[lane - 2];
   }
-  void set(std::size_t lane, double x) { (lane < 2 ? low[lane] : high[lane - 2]) = x; }
+  void set(std::size_t lane, double x) {
+    if (lane < 2) {
+      low[lane] = x;
+    } else {
+      high[lane - 2] = x;
+    }
+  }
   Lanes& operator+=(const Lanes& other) {
     low += other.low;
     high += other.high;

@@ -13,9 +13,9 @@ Result<void> check_vertex_counts(const Mesh& control, std::size_t given) {
   if (refined && given < n) return {};
   const char* reason = refined ? "it was refined once, from a mesh of fewer vertices"
                                : "they must be the same vertices in the same order";
-  return fail(ErrorCode::mismatch,
-              fmt::format("the control mesh has {} vertices and the given mesh {}: {}", n, given,
-                          reason));
+  return fail(
+      ErrorCode::mismatch,
+      fmt::format("the control mesh has {} vertices and the given mesh {}: {}", n, given, reason));
 }
 
 Result<Certificate> compare_points(std::span<const Point> limit, std::span<const Point> given,

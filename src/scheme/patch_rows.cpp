@@ -5,6 +5,8 @@
 #include <string>
 #include <unordered_map>
 
+#include <fmt/format.h>
+
 #include "scheme/sharpness.hpp"
 
 namespace surpass {
@@ -156,6 +158,18 @@ bool all_different(std::array<Index, 16> vertices) {
   return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end();
 }
 
+// A patch at a vertex of valence n has some 2 n columns, and there are n such patches.
+constexpr std::size_t kMostColumns = 4096;
+constexpr std::size_t kMostColumnsTogether = kNone / 2;
+
+tl::unexpected<Error> too_many_columns(std::size_t columns) {
+  return fail(ErrorCode::too_large,
+              fmt::format("a patch of the refined mesh depends on {} vertices, or all patches "
+                          "together on too many; vertices of valence up to about {}, and faces of "
+                          "as many sides, are possible here",
+                          columns, kMostColumns / 2));
+}
+
 struct KindTable {
   std::unordered_map<std::string, Index> numbers;
   Index regular = kNone;
@@ -186,6 +200,9 @@ Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, c
       rows.kind_of_.push_back(table.regular);
     } else {
       piece.cut(topology, *sharpness, f);
+      if (piece.vertices().size() > kMostColumns || rows.columns_.size() > kMostColumnsTogether) {
+        return too_many_columns(piece.vertices().size());
+      }
       const auto [at, added] =
           table.numbers.try_emplace(piece.key(), static_cast<Index>(rows.kinds_.size()));
       if (added) {

@@ -32,7 +32,7 @@ class PatchRows {
 
   /// A patch for every face with `sampled` != 0 (#F; empty: all), in order. `level` refinements
   /// lead from a face to its samples: 2^level + 1 along a side. Fails where Sharpness::build does,
-  /// or when cancelled. O(#faces).
+  /// with `too_large` at valences of thousands, or when cancelled. O(#faces).
   static Result<PatchRows> build(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                  int level, std::span<const unsigned char> sampled,
                                  const Context& context);

@@ -271,6 +271,10 @@ TEST(Similarity, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(refused({.similarity = Similarity::fair, .thin_plate = 0}),
             ErrorCode::invalid_argument);
   EXPECT_EQ(refused({.rules = {Scheme::loop}}), ErrorCode::unsuitable_for_scheme);
+  EXPECT_TRUE(interpolate_similar(test::bipyramid(300)));
+  const auto pole = SimilarityInterpolator::create(test::bipyramid(3000));
+  ASSERT_FALSE(pole);
+  EXPECT_EQ(pole.error().code, ErrorCode::too_large);
   const auto solver = SimilarityInterpolator::create(cube).value();
   EXPECT_EQ(solver.solve(std::vector<Point>(7)).error().code, ErrorCode::mismatch);
   EXPECT_EQ(solver.solve_like(std::vector<Point>(9), cube.points).error().code,
