@@ -83,9 +83,9 @@ Result<void> require_compatible(const Prepared& prepared, const Task& task, cons
   }
   if (!none.empty()) return no_interpolant(prepared, none);
   if (many.empty()) return {};
-  std::string note = fmt::format(
-      "{}: the control mesh is not unique; the nearest to the given points was taken",
-      numbers(components_of(prepared, many)));
+  std::string note =
+      fmt::format("{}: the control mesh is not unique; the nearest to the given points was taken",
+                  numbers(components_of(prepared, many)));
   // Channels come here after the positions, with the same to say.
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
   return {};

@@ -165,7 +165,8 @@ RingPlace Neighbourhood::corner(Index k) const {
 
 Result<void> Neighbourhood::refine() {
   KeptRows stencil;
-  auto mesh = scheme_of(kRules.scheme).refinement(mesh_, topology_, kRules, {.threads = 1}, stencil);
+  auto mesh =
+      scheme_of(kRules.scheme).refinement(mesh_, topology_, kRules, {.threads = 1}, stencil);
   if (!mesh) return tl::make_unexpected(mesh.error());
   mesh->points.resize(stencil.row_count());
   auto topology = Topology::build(*mesh);

@@ -31,6 +31,7 @@ struct OsdJet {
 };
 /// By Bfr, a jet for each face of the mesh that is part of the limit surface.
 std::vector<OsdJet> osd_jets(const Mesh& mesh, const Rules& rules);
+
 /// The limit surface anywhere by OpenSubdiv's own evaluator (Bfr), with its finest approximation
 /// that is sound: exact at distances of more than about 1/1024 from irregular vertices.
 class OsdSurface {
@@ -46,5 +47,6 @@ class OsdSurface {
  private:
   struct Contents;
   std::unique_ptr<Contents> contents_;
+};
 
 }  // namespace surpass::test
