@@ -36,29 +36,32 @@ class Runner:
         self.surpass, self.folder = surpass, folder
 
     def reconstruct(self, cloud, *options):
-        """Mesh, surface (refined once) and report."""
-        mesh, surface, report = (self.folder / n for n in ("mesh.ply", "surface.ply", "report.json"))
-        subprocess.run([self.surpass, "reconstruct", cloud, "-o", mesh, "--surface", surface, "--levels",
-                        "1", "--report", report, "--quiet", *options], check=True)
-        return mesh, surface, json.loads(report.read_text())
+        """Mesh, control mesh and report."""
+        mesh, control, report = (self.folder / n for n in ("mesh.ply", "control.ply", "report.json"))
+        subprocess.run([self.surpass, "reconstruct", cloud, "-o", mesh, "--control", control, "--report",
+                        report, "--quiet", *options], check=True)
+        return mesh, control, json.loads(report.read_text())
 
     def iterations(self, mesh, solver):
         """Evaluations of the limit until every vertex is within 1e-6."""
         report = self.folder / "solve.json"
-        subprocess.run([self.surpass, "interpolate", mesh, "-o", self.folder / "control.ply", "--scheme",
+        subprocess.run([self.surpass, "interpolate", mesh, "-o", self.folder / "solved.ply", "--scheme",
                         "doo-sabin", "--solver", solver, "--tolerance", "1e-6", "--history", "--report",
                         report, "--quiet"], check=True)
         return json.loads(report.read_text())["iterations"]
 
-    def draw(self, mesh, surface, picture, camera):
+    def draw(self, mesh, control, picture, camera):
+        surface = self.folder / "surface.ply"
+        subprocess.run([self.surpass, "subdivide", control, "-o", surface, "--limit", "--levels", "3",
+                        "--quiet"], check=True)
         subprocess.run([self.surpass, "render", surface, "--beside", mesh, "-o", picture, "--camera",
                         camera, "--size", "560x560", "--quiet"], check=True)
 
 
 def measured(runner, cloud, *options):
-    mesh, surface, report = runner.reconstruct(cloud, *options)
+    mesh, control, report = runner.reconstruct(cloud, *options)
     counts = [runner.iterations(mesh, solver) for solver in ("richardson", "chebyshev")]
-    return mesh, surface, report, counts
+    return mesh, control, report, counts
 
 
 def genus_of(report):
@@ -93,18 +96,18 @@ def table(runner, data, output):
         _, _, report, counts = measured(runner, cloud)
         right &= is_right(report, genus, None)
         full.append(row(name, report, counts, f"({points})"))
-        mesh, surface, report, counts = measured(runner, cloud, "--vertices", str(vertices))
+        mesh, control, report, counts = measured(runner, cloud, "--vertices", str(vertices))
         right &= is_right(report, genus, vertices)
         simple.append(row(name, report, counts, f"{vertices}, {iterations} iterations"))
         picture = f"reconstruction-{name.lower()}.png"
-        runner.draw(mesh, surface, output / picture, camera)
+        runner.draw(mesh, control, output / picture, camera)
         pictures.append(f"![{name}]({picture})")
     return full, simple, pictures, right
 
 
 def scan(runner, data, output):
-    mesh, surface, report = runner.reconstruct(data / "points" / SCAN, "--vertices", "3000")
-    runner.draw(mesh, surface, output / "reconstruction-scan.png", "20,15")
+    mesh, control, report = runner.reconstruct(data / "points" / SCAN, "--vertices", "3000")
+    runner.draw(mesh, control, output / "reconstruction-scan.png", "20,15")
     return "![A scan](reconstruction-scan.png)", is_right(report, 0, 3000)
 
 
@@ -117,7 +120,7 @@ def main():
         picture, scan_is_right = scan(runner, data, output)
     text = "\n".join([
         HEAD, "## Every point a vertex", "",
-        "`surpass reconstruct POINTS -o MESH`. PI is the paper's iteration (`richardson`), counted as",
+        "`surpass reconstruct POINTS -o MESH --control CONTROL`. PI is the paper's iteration (`richardson`), counted as",
         "evaluations of the limit until 1e-6; seconds and megabytes are of the whole command.", "",
         COLUMNS, *full, "", "## The paper's numbers of vertices", "",
         "`--vertices N`. Distances to the limit surface are those of all points that the full mesh uses.",
