@@ -35,11 +35,12 @@ counts: need-counts build/release/build.ninja  ## check that six small jobs take
 	@cmake --build build/release --target surpass_app -j $(JOBS)
 	@tools/instructions.py build/release/surpass
 
-papers: need-papers build/release/build.ninja  ## repeat the figures of the papers into docs/papers; needs DATA=DIR
+papers: need-papers build/release/build.ninja  ## repeat the papers' figures into docs/papers, compare the methods; needs DATA=DIR
 	@cmake --build build/release --target surpass_app -j $(JOBS)
 	@python3 tools/papers.py build/release/surpass "$(DATA)" docs/papers
 	@python3 tools/iterations.py build/release/surpass "$(DATA)" docs/papers/iterations.md
 	@python3 tools/reconstruction.py build/release/surpass "$(DATA)" docs/papers
+	@python3 tools/compare_methods.py build/release/surpass "$(DATA)" docs
 
 format: need-format  ## rewrite the sources in the project's format
 	@tools/sources.sh | xargs clang-format -i

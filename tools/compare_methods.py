@@ -15,6 +15,8 @@ import subprocess
 import sys
 import tempfile
 
+from real_meshes import folder_or_skip
+
 FOLDERS = ("quad", "tri")
 EACH = 5
 LEVELS = 4
@@ -193,12 +195,13 @@ def machine():
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("surpass", type=pathlib.Path)
-    parser.add_argument("data", type=pathlib.Path)
+    parser.add_argument("data")
     parser.add_argument("docs", type=pathlib.Path)
     parser.add_argument("--head-only", action="store_true")
     parser.add_argument("--methods", type=lambda names: names.split(","),
                         help="only these: to try the script, the page wants all of them")
     arguments = parser.parse_args()
+    arguments.data = folder_or_skip(arguments.data, len(FOLDERS) * EACH, "Comparison of methods")
     if arguments.methods:
         METHODS[:] = [m for m in METHODS if m[0] in arguments.methods]
     meshes = [arguments.data / path for path in chosen(arguments.data)]

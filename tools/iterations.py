@@ -9,6 +9,8 @@ import subprocess
 import sys
 import tempfile
 
+from real_meshes import folder_or_skip
+
 MESHES = [
     "tri/paper_hog_606.off",
     "tri/paper_rabbit_453.off",
@@ -65,7 +67,8 @@ def cell(counts):
 
 
 def main():
-    surpass, data, output = (pathlib.Path(a).resolve() for a in sys.argv[1:4])
+    surpass, output = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+    data = folder_or_skip(sys.argv[2], len(MESHES) * len(SCHEMES), "Iterations")
     lines = [HEAD.format(refused="-")]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

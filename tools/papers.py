@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 
+from real_meshes import folder_or_skip
+
 # The paper scales each model so that the largest side of its bounding box is 0.95 and stops below an
 # absolute 1e-3; the command line works relative to the box side.
 SIDE = 0.95
@@ -100,7 +102,8 @@ def figures(surpass, data, folder, output):
 
 
 def main():
-    surpass, data, output = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    surpass, output = sys.argv[1], pathlib.Path(sys.argv[3])
+    data = folder_or_skip(sys.argv[2], len(TABLE_1) + len(OPEN), "Progressive interpolation")
     output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)

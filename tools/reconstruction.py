@@ -13,6 +13,8 @@ import subprocess
 import sys
 import tempfile
 
+from real_meshes import folder_or_skip
+
 # name, cloud, genus, and the paper's points, vertices and iterations to 1e-6
 TABLE_1 = [
     ("CubeHC", "paper3_CubeHC_like_82016.ply", 5, 81920, 7666, 9, "35,25"),
@@ -112,7 +114,8 @@ def scan(runner, data, output):
 
 
 def main():
-    surpass, data, output = (pathlib.Path(a).resolve() for a in sys.argv[1:4])
+    surpass, output = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+    data = folder_or_skip(sys.argv[2], 2 * len(TABLE_1) + 1, "Reconstruction")
     output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
         runner = Runner(surpass, pathlib.Path(temporary))
