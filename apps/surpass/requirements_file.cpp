@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "session.hpp"
+
 namespace surpass::cli {
 namespace {
-
-using Json = nlohmann::json;
 
 // One entry of the list. Whatever is wrong with it, the first thing found is kept.
 class Entry {

@@ -7,24 +7,24 @@
 namespace surpass {
 namespace {
 
-using Vector = Eigen::Vector3d;
+using Vector3 = Eigen::Vector3d;
 
-Vector vector_of(const Point& p) { return {p[0], p[1], p[2]}; }
+Vector3 vector_of(const Point& p) { return {p[0], p[1], p[2]}; }
 
 // 0 to pi; pi where there is no vector to measure.
-double angle_between(const Vector& a, const Vector& b) {
+double angle_between(const Vector3& a, const Vector3& b) {
   if (a.isZero(0) || b.isZero(0)) return std::acos(-1.0);
-  const Vector u = a.stableNormalized();
-  const Vector v = b.stableNormalized();
+  const Vector3 u = a.stableNormalized();
+  const Vector3 v = b.stableNormalized();
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>& along,
                               const SurfaceSample& s, double side) {
   RequirementOutcome outcome;
-  const Vector value = vector_of(r.value);
-  const Vector derivative = along[0] * vector_of(s.du) + along[1] * vector_of(s.dv);
-  const auto judge_angle = [&](const Vector& found) {
+  const Vector3 value = vector_of(r.value);
+  const Vector3 derivative = along[0] * vector_of(s.du) + along[1] * vector_of(s.dv);
+  const auto judge_angle = [&](const Vector3& found) {
     outcome.angle = angle_between(value, found);
     outcome.flipped = outcome.angle > std::acos(-1.0) / 2;
   };
@@ -33,14 +33,14 @@ RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>&
       outcome.error = (vector_of(s.position) - value).norm() / side;
       break;
     case Requirement::Kind::normal: {
-      const Vector n = value.stableNormalized();
+      const Vector3 n = value.stableNormalized();
       outcome.error =
           std::max(std::abs(n.dot(vector_of(s.du))), std::abs(n.dot(vector_of(s.dv)))) / side;
       judge_angle(vector_of(s.normal));
       break;
     }
     case Requirement::Kind::direction: {
-      const Vector d = value.stableNormalized();
+      const Vector3 d = value.stableNormalized();
       outcome.error = (derivative - derivative.dot(d) * d).norm() / side;
       judge_angle(derivative);
       break;

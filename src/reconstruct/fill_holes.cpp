@@ -203,10 +203,11 @@ bool is_small(std::size_t edges, std::size_t vertices) {
 
 Polygon hole_of(const Mesh& mesh, const Topology& topology, const std::vector<Index>& loop) {
   Polygon polygon;
-  for (auto h = loop.rbegin(); h != loop.rend(); ++h) {
-    const auto face = mesh.face(topology.face(*h));
+  for (std::size_t i = loop.size(); i-- > 0;) {
+    const Index h = loop[i];
+    const auto face = mesh.face(topology.face(h));
     const Vector3d a = as_vector(mesh.points[face[0]]);
-    polygon.vertices.push_back(topology.head(*h));
+    polygon.vertices.push_back(topology.head(h));
     polygon.beyond.push_back(
         (as_vector(mesh.points[face[1]]) - a).cross(as_vector(mesh.points[face[2]]) - a));
   }

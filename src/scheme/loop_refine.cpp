@@ -15,12 +15,12 @@ namespace {
 Index across(const Topology& topology, Index h) { return topology.tail(topology.previous(h)); }
 
 // The weights of a plain vertex, by valence, so that no cosine is taken a million times.
-struct PlainRow {
+struct RefinedRow {
   double own;
   double neighbour;
 };
-std::vector<PlainRow> plain_rows(const Topology& topology) {
-  std::vector<PlainRow> rows;
+std::vector<RefinedRow> refined_rows(const Topology& topology) {
+  std::vector<RefinedRow> rows;
   for (Index v = 0; v < topology.vertex_count(); ++v) {
     while (rows.size() <= topology.valence(v)) {
       const std::size_t n = rows.size();
@@ -37,7 +37,7 @@ class RowMaker {
       : topology_(topology),
         sharpness_(sharpness),
         boundary_(boundary),
-        plain_(plain_rows(topology)) {}
+        plain_(refined_rows(topology)) {}
 
   void add_vertex(Index v, RowTile& tile) const {
     if (topology_.is_isolated(v)) {
@@ -105,7 +105,7 @@ class RowMaker {
   const Topology& topology_;
   const Sharpness& sharpness_;
   Boundary boundary_;
-  std::vector<PlainRow> plain_;
+  std::vector<RefinedRow> plain_;
 };
 
 }  // namespace
