@@ -64,8 +64,8 @@ TEST(Xyz, NumbersThatAreNoneAreForPointsOnly) {
 TEST(Points, OfEveryFormatMayBeNotFinite) {
   const char* files[] = {
       "v 0 0 0\nv nan 0 0\n", "OFF\n2 0 0\n0 0 0\nnan 0 0\n",
-      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float "
-      "y\nproperty float z\nend_header\n0 0 0\nnan 0 0\n"};
+      ("ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+       "property float z\nend_header\n0 0 0\nnan 0 0\n")};
   for (const char* text : files) {
     const auto points = parse_points(text, Format::automatic, "test");
     ASSERT_TRUE(points) << text;
