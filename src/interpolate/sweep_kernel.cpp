@@ -14,19 +14,26 @@ namespace surpass {
 
 namespace {
 
-// At any address that a double may have, and allowed to look at doubles.
-using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-using Two [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
+using Four [[gnu::vector_size(32)]] = double;
+using Two [[gnu::vector_size(16)]] = double;
 
-const Four& four_at(const double* place) { return *reinterpret_cast<const Four*>(place); }
+// At any address that a double may have, and allowed to look at doubles.
+template <class Vector>
+struct [[gnu::packed, gnu::may_alias]] Unaligned {
+  Vector value;
+};
+
+const Unaligned<Four>& four_at(const double* place) {
+  return *reinterpret_cast<const Unaligned<Four>*>(place);
+}
 
 // Where a place has three numbers, the fourth belongs to the next one.
 template <bool kWide>
 [[gnu::always_inline]] inline void store(double* place, const Four& value) {
   if (kWide) {
-    *reinterpret_cast<Four*>(place) = value;
+    reinterpret_cast<Unaligned<Four>*>(place)->value = value;
   } else {
-    *reinterpret_cast<Two*>(place) = Two{value[0], value[1]};
+    reinterpret_cast<Unaligned<Two>*>(place)->value = Two{value[0], value[1]};
     place[2] = value[2];
   }
 }
@@ -66,15 +73,17 @@ template <Index kLength, bool kWide, bool kMeasured, class Column>
   const double step = sweep.step;
   ErrorNorms found = kMeasured ? *norms : ErrorNorms{};  // nothing that a stored point might change
   for (std::size_t at = run.rows.begin * kStride; at < run.rows.end * kStride; at += kStride) {
-    const Four x = four_at(points.current + at);
+    const Four x = four_at(points.current + at).value;
     Four product{};
     if (kLength != 0) product += kept[0] * x;
     for (Index k = kLength != 0 ? 1 : 0; k < length; ++k) {
-      product += (kLength != 0 ? kept[k] : run.weights[k]) * four_at(origin + kTimes * columns[k]);
+      product +=
+          (kLength != 0 ? kept[k] : run.weights[k]) * four_at(origin + kTimes * columns[k]).value;
     }
     columns += length;
-    const Four r = four_at(points.target + at) - product;
-    store<kWide>(points.next + at, x + momentum * (x - four_at(points.previous + at)) + step * r);
+    const Four r = four_at(points.target + at).value - product;
+    store<kWide>(points.next + at,
+                 x + momentum * (x - four_at(points.previous + at).value) + step * r);
     if (kMeasured) include<kWide>(found, r, scale);
   }
   if (kMeasured) *norms = found;
