@@ -194,6 +194,12 @@ bool ObjReader::read_face() {
     mesh_.face_vertices.reserve(mesh_.face_vertices.size() * (1 + more / kSample));
   }
   while (!scan_.at_line_end()) {
+    const char* corner = scan_.at();
+    if (std::uint64_t number = 0; scan_.plain_index(number)) {
+      vertices_.name_it(number - 1, corner);
+      mesh_.face_vertices.push_back(static_cast<Index>(number - 1));
+      continue;
+    }
     Index vertex = 0;
     if (!read_index(vertices_, vertex)) return false;
     mesh_.face_vertices.push_back(vertex);

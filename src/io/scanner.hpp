@@ -4,7 +4,6 @@
 
 #include <surpass/result.hpp>
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +11,11 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 
 #include <fast_float/fast_float.h>
+
+#include "io/digits.hpp"
 
 namespace surpass::io {
 
@@ -78,6 +80,13 @@ class Scanner {
   template <class T>
   [[nodiscard]] bool number(T& value, const char* what) {
     const char* start = at_;
+    if constexpr (std::is_same_v<T, double>) {  // nearly all of them
+      const char* plain = start;
+      if (left() > kDigitsWindow && plain_decimal(plain, value) && ends_word(plain)) {
+        at_ = plain;
+        return true;
+      }
+    }
     const char* digits = start + (peek() == '+' && peek(1) != '-' ? 1 : 0);
     const auto [stop, failure] = fast_float::from_chars(digits, end_, value);
     if (failure != std::errc() || !ends_word(stop) || (!std::isfinite(value) && !not_finite_)) {
@@ -91,11 +100,29 @@ class Scanner {
     constexpr std::uint64_t kEnough = 1000000000000000000;
     const char* start = at_;
     value = 0;
-    if (left() >= sizeof(std::uint64_t) && few_digits(value)) return at_ != start;
+    if (left() > kDigitsWindow) {
+      const Digits few = eight_digits(start);
+      if (few.count < 8) {
+        value = few.value;
+        at_ = start + few.count;
+        return few.count != 0;
+      }
+    }
     for (; at_ != end_ && *at_ >= '0' && *at_ <= '9'; ++at_) {
       if (value < kEnough) value = 10 * value + static_cast<std::uint64_t>(*at_ - '0');
     }
     return at_ != start;
+  }
+  /// What nearly every index is: up to seven digits, not all zeros, and a blank or line end behind.
+  /// False, and nothing is moved, for all else.
+  [[nodiscard]] bool plain_index(std::uint64_t& value) {
+    if (left() <= kDigitsWindow) return false;
+    const Digits few = eight_digits(at_);
+    const char behind = at_[few.count];
+    if (few.count == 8 || few.value == 0 || (behind != ' ' && behind != '\n')) return false;
+    value = few.value;
+    at_ += few.count;
+    return true;
   }
   /// A number without sign and fraction.
   [[nodiscard]] bool whole(std::uint64_t& value, const char* what);
@@ -120,25 +147,6 @@ class Scanner {
  private:
   bool end_other_line();
 
-  // Up to seven digits, all at once: they go to the upper end of a word, zeros below them, and
-  // neighbours are joined into numbers of two, four and eight digits. False if there are more.
-  [[nodiscard]] bool few_digits(std::uint64_t& value) {
-    if constexpr (std::endian::native != std::endian::little) return false;
-    std::uint64_t word = 0;
-    std::memcpy(&word, at_, sizeof word);
-    constexpr std::uint64_t kZeros = 0x3030303030303030;
-    const std::uint64_t others =
-        ((word + 0x4646464646464646) | (word - kZeros) | word) & 0x8080808080808080;
-    if (others == 0) return false;
-    const auto count = static_cast<unsigned>(std::countr_zero(others)) / 8;
-    at_ += count;
-    if (count == 0) return true;
-    word = (word - kZeros) << (8 * (8 - count));
-    word = (word * 10 + (word >> 8)) & 0x00FF00FF00FF00FF;
-    word = (word * 100 + (word >> 16)) & 0x0000FFFF0000FFFF;
-    value = (word * 10000 + (word >> 32)) & 0xFFFFFFFF;
-    return true;
-  }
   bool skip_continuation();
   void skip_line_end();
   void skip_to_line_end();

@@ -1,5 +1,5 @@
 find_package(rapidcheck REQUIRED)
-surpass_test(unit_io SOURCES io_obj.cpp io_ply.cpp io_off.cpp io_stl.cpp io_xyz.cpp io_files.cpp
+surpass_test(unit_io SOURCES io_obj.cpp io_ply.cpp io_off.cpp io_stl.cpp io_xyz.cpp io_files.cpp io_digits.cpp
              LABELS unit)
 surpass_test(unit_io_roundtrip SOURCES io_roundtrip.cpp LIBS rapidcheck LABELS unit property)
 
