@@ -10,9 +10,9 @@ results=${2:-bench/results}
 
 # One thread for everybody, the rivals' linear algebra included; our rows say where they use more.
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
-# The same kind of memory for everybody: malloc asks the kernel for huge pages (glibc 2.35 or later),
-# or else a third of all times would be the handing out of small ones.
-export GLIBC_TUNABLES=glibc.malloc.hugetlb=1
+# The same kind of memory for everybody: malloc asks the kernel for huge pages (glibc 2.35 or later)
+# and keeps what was freed, or else a third of all times would be the handing out of fresh ones.
+export GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.mmap_max=0:glibc.malloc.trim_threshold=17179869184
 mkdir -p "$results"
 status=0
 "$build/surpass_bench" --benchmark_out="$results/figures.json" --benchmark_out_format=json \
