@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLongestToMean = 1.9;  // edges beside the mean edge of the result
+constexpr double kLongestToMean = 2.0;  // edges beside the mean edge of the result
 constexpr double kMoreLength = 1.25;    // the longest edge grows by this where nothing else is left
 constexpr int kMostGrowth = 8;
 // Where planes do not tell collapses apart, short edges go first.
@@ -83,7 +83,8 @@ class Simplification {
       const Candidate candidate = queue_.top();
       queue_.pop();
       if (candidate.version != version_[candidate.vertex]) continue;
-      if (guards_.allow(candidate.vertex, candidate.into)) {
+      triangles_.neighbours(candidate.vertex, around_);
+      if (guards_.allow(candidate.vertex, candidate.into, around_)) {
         collapse(candidate.vertex, candidate.into);
       } else {
         offer(candidate.vertex);  // a valence nearby has changed
@@ -165,7 +166,7 @@ class Simplification {
       return a.key != b.key ? a.key < b.key : a.into < b.into;
     });
     for (const Candidate& option : options_) {
-      if (!guards_.allow(v, option.into)) continue;
+      if (!guards_.allow(v, option.into, around_)) continue;
       queue_.push(option);
       return;
     }
