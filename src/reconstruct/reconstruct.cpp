@@ -70,6 +70,9 @@ class Run {
          {&Run::clean_points, &Run::leave_out_outliers, &Run::measure, &Run::smooth_points,
           &Run::connect, &Run::clean_mesh, &Run::simplify_mesh, &Run::finish}) {
       if (const auto done = (this->*step)(); !done) return tl::make_unexpected(done.error());
+      if (context_.cancelled()) {
+        return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
+      }
     }
     count_parts(result_.mesh, report());
     add_warnings(share_of_sheets_, options_.vertices, result_.mesh.vertex_count(), report());

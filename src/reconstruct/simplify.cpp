@@ -72,13 +72,15 @@ class Simplification {
   Result<void> run(double longest_edge) {
     guards_.set_longest_edge(longest_edge);
     queue_ = {};
-    for (Index v = 0; v < points_.size(); ++v) offer(v);
+    for (Index v = 0; v < points_.size(); ++v) {
+      if (v % 1024 == 0) {
+        if (const auto going = look_up(); !going) return going;
+      }
+      offer(v);
+    }
     for (std::size_t step = 0; !queue_.empty() && !is_done(); ++step) {
       if (step % 1024 == 0) {
-        if (context_.cancelled()) {
-          return fail(ErrorCode::cancelled, "the simplification was interrupted");
-        }
-        context_.report({.stage = "simplify", .fraction = share_done()});
+        if (const auto going = look_up(); !going) return going;
       }
       const Candidate candidate = queue_.top();
       queue_.pop();
@@ -139,6 +141,12 @@ class Simplification {
     const Vector3d upright = (points_[b] - points_[a]).cross(normal_of({a, b, c}));
     if (!(upright.norm() > 0)) return;
     for (const Index v : {a, b}) quadrics_[v].add_plane(upright.normalized(), points_[v]);
+  }
+
+  [[nodiscard]] Result<void> look_up() const {
+    context_.report({.stage = "simplify", .fraction = share_done()});
+    if (!context_.cancelled()) return {};
+    return fail(ErrorCode::cancelled, "the simplification was interrupted");
   }
 
   [[nodiscard]] double share_done() const {
