@@ -17,7 +17,7 @@ bool is_finite(const Point& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-Result<void> check(const Mesh& surface) {
+Result<void> check_surface(const Mesh& surface) {
   if (surface.face_count() == 0) {
     return fail(ErrorCode::empty_mesh, "there are no faces, so there is no surface to measure to");
   }
@@ -47,7 +47,7 @@ std::uint64_t spread(std::uint64_t x) {
 }
 
 // A box of side 1 around the surface, where nothing overflows.
-struct Frame {
+struct UnitBox {
   Point origin = {};
   double unit = 1;
   [[nodiscard]] Eigen::Vector3d in(const Point& p) const {
@@ -55,14 +55,14 @@ struct Frame {
   }
 };
 
-TriangleTree tree_of(const Mesh& surface, const Frame& frame) {
+TriangleTree unit_tree(const Mesh& surface, const UnitBox& unit_box) {
   std::vector<SolidTriangle> triangles;
   const auto add = [&](const Mesh& mesh) {
     triangles.reserve(mesh.face_count());
     for (Index f = 0; f < mesh.face_count(); ++f) {
       const auto face = mesh.face(f);
-      triangles.emplace_back(frame.in(mesh.points[face[0]]), frame.in(mesh.points[face[1]]),
-                             frame.in(mesh.points[face[2]]));
+      triangles.emplace_back(unit_box.in(mesh.points[face[0]]), unit_box.in(mesh.points[face[1]]),
+                             unit_box.in(mesh.points[face[2]]));
     }
   };
   if (all_triangles(surface)) {
@@ -109,10 +109,10 @@ constexpr std::size_t kChunk = 256;
 
 Result<std::vector<double>> distances_to(std::span<const Point> points, const Mesh& surface,
                                          const Context& context) {
-  if (auto checked = check(surface); !checked) return tl::make_unexpected(checked.error());
+  if (auto checked = check_surface(surface); !checked) return tl::make_unexpected(checked.error());
   const Box box = bounding_box(surface.points);
-  const Frame frame = {box.low, box.side() > 0 ? box.side() : 1};
-  const TriangleTree tree = tree_of(surface, frame);
+  const UnitBox unit_box = {box.low, box.side() > 0 ? box.side() : 1};
+  const TriangleTree tree = unit_tree(surface, unit_box);
   std::vector<double> distances(points.size(), std::nan(""));
   const std::vector<std::size_t> order = near_each_other(points);
   for (std::size_t first = 0; first < order.size(); first += kBlock) {
@@ -123,8 +123,8 @@ Result<std::vector<double>> distances_to(std::span<const Point> points, const Me
       Index guess = 0;
       for (std::size_t k = first + begin; k < first + end; ++k) {
         const std::size_t i = order[k];
-        const Sample nearest = tree.nearest(frame.in(points[i]), guess);
-        distances[i] = nearest.distance * frame.unit;
+        const Sample nearest = tree.nearest(unit_box.in(points[i]), guess);
+        distances[i] = nearest.distance * unit_box.unit;
         guess = nearest.triangle;
       }
     };

@@ -56,9 +56,9 @@ struct Patch {
   Matrix3d shape = Matrix3d::Zero();  // in space; the normal is in its kernel
 };
 
-class Surface {
+class ShapeOperators {
  public:
-  Surface(const Mesh& triangles, const Context& context)
+  ShapeOperators(const Mesh& triangles, const Context& context)
       : mesh_(triangles), context_(context), around_(triangles), patches_(triangles.face_count()) {
     for_each_index(context_, patches_.size(), [&](Index f) { measure(f); });
     find_normals();
@@ -181,7 +181,7 @@ Result<std::vector<VertexCurvature>> vertex_curvatures(const Mesh& surface,
   }
   const double unit = box.side() > 0 ? box.side() : 1;
   const Mesh mesh = unit_triangles(surface, unit, box.low);
-  const Surface measured(mesh, context);
+  const ShapeOperators measured(mesh, context);
   std::vector<VertexCurvature> found(mesh.points.size());
   for_each_index(context, found.size(), [&](Index v) {
     const VertexCurvature in_box = measured.curvature(v);

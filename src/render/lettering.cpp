@@ -61,8 +61,8 @@ constexpr float kGrid = 6;  // from the base line to the top
 constexpr float kBase = 2;
 constexpr float kGap = 1.7F;  // between letters, in steps of the grid
 constexpr float kBlank = 2.5F;
-constexpr float kThickness = 0.13F;  // of the height
-constexpr float kInk = 40;           // sRGB
+constexpr float kPenWidth = 0.13F;  // of the height
+constexpr float kInk = 40;          // sRGB
 
 float advance(char c) {
   const std::string_view strokes = strokes_of(c);
@@ -125,7 +125,7 @@ float text_width(std::string_view text, float height) {
 }
 
 void write_text(Image& image, std::string_view text, float x, float y, float height) {
-  const float half = std::max(0.55F, kThickness * height / 2);
+  const float half = std::max(0.55F, kPenWidth * height / 2);
   const std::vector<Segment> segments = segments_of(text, x, y, height);
   const int reach = 2;
   const int left = std::max(0, static_cast<int>(x) - reach);

@@ -1,5 +1,9 @@
 // Curvatures at vertices beside the closed forms of spheres, planes and tori.
+#include <surpass/surpass.hpp>
+
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "fairness_samples.hpp"
 #include "support/meshes.hpp"
