@@ -15,9 +15,10 @@ constexpr std::size_t kRowsAChunk = 4;
 constexpr float kReach = 0.6F;       // of occlusion, in box sides
 constexpr float kThickness = 0.02F;  // of a piece of the surface, in box sides
 
-// Neighbouring pixels see the same piece of the surface if normals and planes agree.
+// Neighbouring pixels see the same piece of the surface if normals, planes and paint agree.
 constexpr float kAlikeCosine = 0.995F;
 constexpr float kAlikePixels = 2;
+constexpr float kAlikePaint = 0.03F;
 
 const Colour kLine = {0.035F, 0.037F, 0.042F};
 constexpr float kLineStrength = 0.75F;
@@ -66,7 +67,7 @@ Painter::Painter(const DisplayMesh& display, std::span<const Vec3> points, const
       width_(options.width),
       height_(options.height),
       side_(static_cast<int>(std::ceil(std::sqrt(options.samples)))),
-      fine_(options.shading == Shading::reflection || options.shading == Shading::field),
+      fine_(options.shading == Shading::reflection),
       field_(options.shading == Shading::field ? &*options.field : nullptr),
       line_strength_(options.shading == Shading::wireframe ? kInkStrength : kLineStrength),
       style_(style_of(options)),
@@ -183,6 +184,7 @@ bool Painter::is_plain(const Raster<std::optional<Sight>>& first, int x, int y) 
       const float lift = std::abs(a.facet.dot(b.position - a.position));
       plain = plain && a.ball == b.ball && a.back == b.back &&
               a.normal.dot(b.normal) > kAlikeCosine &&
+              (a.paint - b.paint).abs().maxCoeff() < kAlikePaint &&
               lift < kAlikePixels * camera_.pixel_size(a.position);
     }
   });
