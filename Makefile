@@ -38,6 +38,7 @@ counts: need-counts build/release/build.ninja  ## check that six small jobs take
 
 papers: need-papers build/release/build.ninja  ## repeat the papers' figures into docs/papers, compare the methods; needs DATA=DIR
 	@cmake --build build/release --target surpass_app -j $(JOBS)
+	@tools/pictures.sh build/release/surpass docs/images
 	@python3 tools/papers.py build/release/surpass "$(DATA)" docs/papers
 	@python3 tools/iterations.py build/release/surpass "$(DATA)" docs/papers/iterations.md
 	@python3 tools/reconstruction.py build/release/surpass "$(DATA)" docs/papers

@@ -82,6 +82,7 @@ class Run {
  private:
   Result<void> clean_points();
   Result<void> leave_out_outliers();
+  Result<void> meet_neighbours();
   Result<void> measure();
   Result<void> smooth_points();
   Result<void> connect();
@@ -100,7 +101,8 @@ class Run {
   const Context& context_;
   Cloud cloud_;
   std::vector<Index> distinct_;  // the given points that are finite and no repetitions
-  double spacing_ = 0;           // in the cloud's box, as all lengths here
+  std::optional<Neighbours> neighbours_;
+  double spacing_ = 0;  // in the cloud's box, as all lengths here
   double share_of_sheets_ = 0;
   std::vector<Point> smoothed_;  // empty if they are not
   Mesh mesh_;                    // its points are in the cloud's box
@@ -123,11 +125,9 @@ Result<void> Run::clean_points() {
 
 Result<void> Run::leave_out_outliers() {
   if (options_.outliers == Choice::off) return {};
-  const Neighbours neighbours(cloud_.points);
-  const Result<double> spacing = spacing_of(cloud_, neighbours, context_);
-  if (!spacing) return tl::make_unexpected(spacing.error());
+  if (const auto met = meet_neighbours(); !met) return met;
   auto found =
-      find_outliers(cloud_, neighbours, *spacing, options_.outliers == Choice::on, context_);
+      find_outliers(cloud_, *neighbours_, spacing_, options_.outliers == Choice::on, context_);
   if (!found) return tl::make_unexpected(found.error());
   report().outliers = static_cast<std::size_t>(std::count(found->begin(), found->end(), 1));
   if (report().outliers == 0) return {};
@@ -135,16 +135,25 @@ Result<void> Run::leave_out_outliers() {
     return fail(ErrorCode::empty_mesh, "all points stand alone; try without leaving out outliers");
   }
   for (unsigned char& f : *found) f = f == 0 ? 1 : 0;
+  neighbours_.reset();
   cloud_ = subset(cloud_, *found);
   return {};
 }
 
-Result<void> Run::measure() {
-  const Neighbours neighbours(cloud_.points);
-  const Result<double> spacing = spacing_of(cloud_, neighbours, context_);
+// Of the cloud as it is now: where no outlier is left out, those of the step before serve again.
+Result<void> Run::meet_neighbours() {
+  if (neighbours_) return {};
+  neighbours_.emplace(cloud_.points);
+  const Result<double> spacing = spacing_of(cloud_, *neighbours_, context_);
   if (!spacing) return tl::make_unexpected(spacing.error());
   spacing_ = *spacing;
-  const Result<Roughness> rough = roughness_of(cloud_, neighbours, spacing_, context_);
+  return {};
+}
+
+Result<void> Run::measure() {
+  if (const auto met = meet_neighbours(); !met) return met;
+  const Result<Roughness> rough = roughness_of(cloud_, *neighbours_, spacing_, context_);
+  neighbours_.reset();
   if (!rough) return tl::make_unexpected(rough.error());
   share_of_sheets_ = rough->share_of_sheets;
   report().spacing = spacing_;
