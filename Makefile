@@ -26,10 +26,11 @@ bench: need-bench  ## time Surpass beside other libraries; figures go to bench/r
 	@cmake --build build/bench -j $(JOBS)
 	@bench/run.sh build/bench bench/results
 
-curve: need-bench  ## time the whole program from 1e3 to 1e7 vertices; the plot goes to docs/images
+curve: need-bench  ## time the whole program to 1e7 vertices and 2e6 points; plots go to docs/images
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build build/bench -j $(JOBS) --target surpass_app surpass_torus
 	@bench/curve.py build/bench bench/results docs/images/curve.svg
+	@bench/points_curve.py build/bench bench/results docs/images/points_curve.svg
 
 counts: need-counts build/release/build.ninja  ## check that six small jobs take no more instructions
 	@cmake --build build/release --target surpass_app -j $(JOBS)
@@ -37,6 +38,7 @@ counts: need-counts build/release/build.ninja  ## check that six small jobs take
 
 papers: need-papers build/release/build.ninja  ## repeat the papers' figures into docs/papers, compare the methods; needs DATA=DIR
 	@cmake --build build/release --target surpass_app -j $(JOBS)
+	@tools/pictures.sh build/release/surpass docs/images
 	@python3 tools/papers.py build/release/surpass "$(DATA)" docs/papers
 	@python3 tools/iterations.py build/release/surpass "$(DATA)" docs/papers/iterations.md
 	@python3 tools/reconstruction.py build/release/surpass "$(DATA)" docs/papers

@@ -7,13 +7,14 @@ made by BUILD/surpass_torus. Writes RESULTS/curve.json with every run, RESULTS/c
 table, which it prints too, and PLOT, an SVG. Takes a few minutes and 4 GB at the largest size; with --quick, one run a size, a minute.
 """
 import json
-import math
 import os
 import pathlib
 import statistics
 import subprocess
 import sys
 import tempfile
+
+from plot import log_plot
 
 RUNS = {32: 15, 100: 15, 316: 7, 1000: 5, 3162: 5}  # by vertices a side
 STAGES = ["read", "topology", "solve", "verify", "write"]
@@ -93,48 +94,13 @@ def table(figures):
 
 def plot(figures):
     """Seconds over vertices, both logarithmic."""
-    left, top, width, height = 70, 20, 560, 360
-    x0, x1, y0, y1 = 2.8, 7.2, -5, 2
-
-    def x(vertices):
-        return left + (math.log10(vertices) - x0) / (x1 - x0) * width
-
-    def y(seconds):
-        return top + (y1 - math.log10(max(seconds, 10 ** y0))) / (y1 - y0) * height
-
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {left + width + 110} '
-           f'{top + height + 50}" font-family="sans-serif" font-size="13">',
-           '<rect width="100%" height="100%" fill="white"/>']
-    for power in range(3, 8):
-        at = x(10 ** power)
-        out.append(f'<path d="M{at:.1f} {top}V{top + height}" stroke="#ddd"/>'
-                   f'<text x="{at:.1f}" y="{top + height + 18}" text-anchor="middle">'
-                   f'{10 ** power:,}</text>')
+    lines = {"whole program" if key == "processor" else key:
+             [(size["vertices"], median(size, key)) for size in figures]
+             for key in ["processor", *STAGES]}
     names = {-5: "10 µs", -4: "0.1 ms", -3: "1 ms", -2: "10 ms", -1: "0.1 s", 0: "1 s", 1: "10 s",
              2: "100 s"}
-    for power, name in names.items():
-        at = y(10 ** power)
-        out.append(f'<path d="M{left} {at:.1f}H{left + width}" stroke="#ddd"/>'
-                   f'<text x="{left - 8}" y="{at + 4:.1f}" text-anchor="end">{name}</text>')
-    at = x(ADVICE)
-    out.append(f'<path d="M{at:.1f} {top}V{top + height}" stroke="#c00" stroke-dasharray="6 4"/>'
-               f'<text x="{at + 6:.1f}" y="{top + 16}" fill="#c00">advised at most by a commercial '
-               'tool</text>')
-    out.append(f'<text x="{left + width / 2}" y="{top + height + 40}" text-anchor="middle">vertices'
-               '</text>')
-    colours = ["#000", "#1f77b4", "#ff7f0e", "#2ca02c", "#9467bd", "#8c564b"]
-    ends = []
-    for key, colour in zip(["processor", *STAGES], colours):
-        points = [(x(s["vertices"]), y(median(s, key))) for s in figures]
-        line = " ".join(f"{px:.1f},{py:.1f}" for px, py in points)
-        out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" '
-                   f'stroke-width="{2.5 if key == "processor" else 1.5}"/>')
-        ends.append((points[-1], "whole program" if key == "processor" else key, colour))
-    last = -100.0
-    for (px, py), name, colour in sorted(ends, key=lambda end: end[0][1]):
-        last = max(py, last + 14)  # names that would lie on each other move down
-        out.append(f'<text x="{px + 6:.1f}" y="{last + 4:.1f}" fill="{colour}">{name}</text>')
-    return "\n".join([*out, "</svg>", ""])
+    return log_plot(lines, "vertices", (2.8, 7.2), range(3, 8), (-5, 2), names,
+                    (ADVICE, "advised at most by a commercial tool"))
 
 
 def main():

@@ -182,7 +182,7 @@ def summary(results):
 def draw(surpass, control, picture):
     picture.parent.mkdir(parents=True, exist_ok=True)
     subprocess.run([surpass, "render", control, "-o", picture, "--levels", "3", "--size", "360x270",
-                    "--scheme", "catmull-clark", "--reflection-lines", "--quiet"], check=True)
+                    "--scheme", "catmull-clark", "--style", "reflection", "--quiet"], check=True)
 
 
 def machine():

@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "report.hpp"
 #include "rules_option.hpp"
+#include "surface_output.hpp"
 
 namespace surpass::cli {
 
@@ -40,9 +40,8 @@ class Reconstruct : public Command {
   Format from_ = Format::automatic;
   MeshOutput output_;
   std::string control_path_;
-  std::string surface_path_;
   std::string unused_path_;
-  int levels_ = 3;
+  SurfaceOutput surface_;
   ReconstructOptions options_;
   Rules rules_ = {.scheme = Scheme::doo_sabin};
   double tolerance_ = 0;
@@ -156,12 +155,7 @@ void Reconstruct::define_surface(Options& options) {
   options.add("--control", control_path_, "Also write the control mesh of the surface")
       .type_name("FILE")
       .group("Surface");
-  options
-      .add("--surface", surface_path_,
-           "Also write the surface: the control mesh refined and moved to the limit")
-      .type_name("FILE")
-      .group("Surface");
-  add_levels(options, levels_, "Refinement steps of --surface").group("Surface");
+  surface_.define(options);
 }
 
 void Reconstruct::take_optional_values() {
@@ -174,7 +168,7 @@ void Reconstruct::take_optional_values() {
 Result<void> Reconstruct::run(Session& session) {
   take_optional_values();
   std::vector<std::string> further;
-  for (const std::string& path : {control_path_, surface_path_}) {
+  for (const std::string& path : {control_path_, surface_.path()}) {
     if (!path.empty()) further.push_back(path);
   }
   std::vector<std::string> of_points;
@@ -197,9 +191,7 @@ Result<void> Reconstruct::run(Session& session) {
   session.report["mesh"] = mesh_json(output_.path(), found->mesh);
   session.console.say(summary(found->report, found->mesh));
   session.console.notes(found->report.warnings);
-  if (const auto fits = check_levels(found->mesh, surface_path_.empty() ? 0 : levels_); !fits) {
-    return fits;
-  }
+  if (const auto fits = surface_.check(found->mesh); !fits) return fits;
 
   const Result<Interpolated> interpolated = interpolate_mesh(found->mesh, session);
   if (!interpolated) return tl::make_unexpected(interpolated.error());
@@ -266,23 +258,15 @@ Mesh Reconstruct::unused_points(const Mesh& given, const std::vector<Index>& unu
 
 Result<void> Reconstruct::write(const Mesh& mesh, const Interpolated& interpolated,
                                 const Mesh& unused, Session& session) const {
-  std::optional<Mesh> surface;
-  if (!surface_path_.empty()) {
-    Result<Mesh> refined = session.timed("refine", [&] {
-      return limit_mesh(interpolated.control, rules_, levels_, session.context);
-    });
-    if (!refined) return tl::make_unexpected(refined.error());
-    surface = std::move(*refined);
-  }
+  const auto surface = surface_.make(interpolated.control, rules_, session);
+  if (!surface) return tl::make_unexpected(surface.error());
   if (const auto done = output_.write(mesh, session); !done) return done;
   if (!control_path_.empty()) {
     if (const auto done = output_.write(interpolated.control, control_path_, session); !done) {
       return done;
     }
   }
-  if (surface) {
-    if (const auto done = output_.write(*surface, surface_path_, session); !done) return done;
-  }
+  if (const auto done = surface_.write(*surface, output_, session); !done) return done;
   if (unused_path_.empty()) return {};
   return output_.write(unused, unused_path_, session);
 }

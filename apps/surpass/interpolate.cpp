@@ -12,13 +12,13 @@
 
 #include "command.hpp"
 #include "evaluator.hpp"
-#include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "rules_option.hpp"
 #include "similar.hpp"
 #include "solve_report.hpp"
 #include "solver_options.hpp"
+#include "surface_output.hpp"
 #include "vertex_list.hpp"
 
 namespace surpass::cli {
@@ -52,8 +52,7 @@ class Interpolate : public Command {
   std::optional<Interpolator> solver_;  ///< of the progressive method
   std::string only_path_;
   std::optional<std::vector<Index>> certified_;  ///< all vertices, if there is no list
-  std::string surface_path_;
-  int levels_ = 3;
+  SurfaceOutput surface_;
   bool keep_best_ = false;
   bool oracle_ = false;
 };
@@ -62,13 +61,7 @@ void Interpolate::define(Options& options) {
   input_.define(options, "GIVEN", "The mesh whose vertices the surface shall pass through");
   output_.define(options, "-o,--output", "The control mesh");
   rules_.define(options);
-  options
-      .add("--surface", surface_path_,
-           "Also write the limit surface: the control mesh refined and moved to the limit")
-      .type_name("FILE")
-      .group("Surface");
-  add_levels(options, levels_, "Refinement steps of --surface, from the control mesh on")
-      .group("Surface");
+  surface_.define(options);
   options
       .choice("--method", method_, {Method::progressive, Method::similarity, Method::fair},
               "progressive: the only control mesh of the given topology, where there is one; "
@@ -136,7 +129,7 @@ Result<void> Interpolate::run(Session& session) {
   inputs.insert(inputs.begin(), input_.path());
   if (!only_path_.empty()) inputs.push_back(only_path_);
   std::vector<std::string> surfaces;
-  if (!surface_path_.empty()) surfaces.push_back(surface_path_);
+  if (surface_.wanted()) surfaces.push_back(surface_.path());
   const auto prepared = output_.prepare(session, inputs, surfaces);
   if (!prepared) return prepared;
 
@@ -218,9 +211,7 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
   session.report["solver"] = name_of(options_.solver);
   session.report["tolerance"] = options_.tolerance;
   if (const auto checked = check_oracle(oracle_, options_.rules); !checked) return checked;
-  if (!surface_path_.empty()) {
-    if (const auto checked = check_levels(given, levels_); !checked) return checked;
-  }
+  if (const auto checked = surface_.check(given); !checked) return checked;
   if (!only_path_.empty()) {
     Result<std::vector<Index>> only = read_vertex_list(only_path_, given.vertex_count());
     if (!only) return tl::make_unexpected(only.error());
@@ -232,9 +223,8 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
 
 Result<void> Interpolate::prepare(const Mesh& given, Session& session) {
   if (method_ != Method::progressive) {
-    auto prepared = similar_.prepare(method_, options_, given, session);
-    if (!prepared || surface_path_.empty()) return prepared;
-    return check_levels(similar_.control(), levels_);
+    const auto prepared = similar_.prepare(method_, options_, given, session);
+    return prepared ? surface_.check(similar_.control()) : prepared;
   }
   Result<Interpolator> solver = session.timed(
       "topology", [&] { return Interpolator::create(given, options_, session.context); });
@@ -323,15 +313,10 @@ Result<Certificate> Interpolate::certify_listed(const std::vector<Point>& limit,
 }
 
 Result<void> Interpolate::write(const Mesh& control, Session& session) const {
-  std::optional<Mesh> surface;
-  if (!surface_path_.empty()) {
-    Result<Mesh> refined = session.timed(
-        "refine", [&] { return limit_mesh(control, options_.rules, levels_, session.context); });
-    if (!refined) return tl::make_unexpected(refined.error());
-    surface = std::move(*refined);
-  }
+  const auto surface = surface_.make(control, options_.rules, session);
+  if (!surface) return tl::make_unexpected(surface.error());
   if (const auto written = output_.write(control, session); !written) return written;
-  return surface ? output_.write(*surface, surface_path_, session) : Result<void>();
+  return surface_.write(*surface, output_, session);
 }
 
 }  // namespace

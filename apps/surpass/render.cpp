@@ -1,13 +1,8 @@
-// surpass render MESH -o PNG
+// surpass render MESH... -o PNG
 //
-// The mesh, or with --levels its limit surface; with --beside a given mesh to its left, seen from
-// the same place.
-#ifdef SURPASS_RENDER
-#include <surpass/render.hpp>
-#endif
-
-#include <charconv>
-#include <tuple>
+// Meshes, or with --levels their limit surfaces, in one or several styles, side by side in one
+// view.
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -15,98 +10,19 @@
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
+#include "render_picture.hpp"
 #include "rules_option.hpp"
 
 namespace surpass::cli {
 
 namespace {
 
-// What the options say, as text where they are two numbers.
-struct Wishes {
-  std::string size = "1024x768";
-  std::string camera = "30,20";
-  char up = 'y';
-  bool edges = false;
-  bool flat = false;
-  bool reflection_lines = false;
-};
-
-#ifdef SURPASS_RENDER
-
-template <class Number>
-bool read_number(std::string_view text, Number& number) {
-  const auto [stop, error] = std::from_chars(text.begin(), text.end(), number);
-  return error == std::errc() && stop == text.end();
+// A mesh, or points where the format has nothing else.
+Result<LoadedMesh> load_shape(const std::string& path, Format format, Session& session) {
+  const bool is_named = format == Format::automatic && path != "-";
+  const bool points_only = (is_named ? format_of_path(path) : format) == Format::xyz;
+  return points_only ? load_points(path, format, session) : load_mesh(path, format, session);
 }
-
-// Two numbers with a separator, and nothing else.
-template <class Number>
-Result<std::pair<Number, Number>> read_pair(const char* option, std::string_view text,
-                                            char separator, const char* example) {
-  const std::size_t middle = text.find(separator);
-  std::pair<Number, Number> pair;
-  if (middle == std::string_view::npos || !read_number(text.substr(0, middle), pair.first) ||
-      !read_number(text.substr(middle + 1), pair.second)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} takes two numbers like {}, not '{}'", option, example, text));
-  }
-  return pair;
-}
-
-Result<RenderOptions> to_options(const Wishes& wishes) {
-  const auto size = read_pair<int>("--size", wishes.size, 'x', "1024x768");
-  if (!size) return tl::make_unexpected(size.error());
-  const auto camera = read_pair<double>("--camera", wishes.camera, ',', "30,20");
-  if (!camera) return tl::make_unexpected(camera.error());
-  RenderOptions options;
-  std::tie(options.width, options.height) = *size;
-  std::tie(options.azimuth, options.elevation) = *camera;
-  options.up = wishes.up;
-  options.edges = wishes.edges;
-  options.smooth = !wishes.flat;
-  options.reflection_lines = wishes.reflection_lines;
-  return options;
-}
-
-// `left`, if there is one, as facets with their edges; `mesh` to its right.
-Result<Image> draw(const Mesh& mesh, const Mesh* left, RenderOptions options,
-                   const Context& context) {
-  if (left == nullptr) return render(mesh, options, context);
-  for (const Mesh* shown : {left, &mesh}) {
-    options.frame.insert(options.frame.end(), shown->points.begin(), shown->points.end());
-  }
-  RenderOptions given = options;
-  given.smooth = false;
-  given.edges = true;
-  given.points.clear();
-  Result<Image> first = render(*left, given, context);
-  if (!first) return first;
-  Result<Image> second = render(mesh, options, context);
-  if (!second) return second;
-  return beside({*first, *second});
-}
-
-Result<std::string> picture(const Mesh& mesh, const Mesh* left, const std::vector<Point>& points,
-                            const Wishes& wishes, Session& session) {
-  Result<RenderOptions> options = to_options(wishes);
-  if (!options) return tl::make_unexpected(options.error());
-  options->points = points;
-  const Result<Image> image =
-      session.timed("render", [&] { return draw(mesh, left, *options, session.context); });
-  if (!image) return tl::make_unexpected(image.error());
-  session.report["picture"] = {{"width", image->width}, {"height", image->height}};
-  return encode_png(*image);
-}
-
-#else
-
-Result<std::string> picture(const Mesh&, const Mesh*, const std::vector<Point>&, const Wishes&,
-                            Session&) {
-  return fail(ErrorCode::not_built_in,
-              "this build makes no pictures; configure with -DSURPASS_RENDER=ON");
-}
-
-#endif
 
 class Render : public Command {
  public:
@@ -114,14 +30,22 @@ class Render : public Command {
   Result<void> run(Session& session) override;
 
  private:
-  Result<Mesh> surface(const Mesh& mesh, Session& session) const;
-  Result<std::vector<Point>> marked(const Mesh& mesh, const Mesh* left, Session& session) const;
+  void define_picture(Options& options);
+  Result<void> check() const;
+  Result<PictureContent> load(Session& session) const;
+  Result<DrawnSurface> load_surface(const std::string& path, bool limit_wanted,
+                                    Session& session) const;
+  Result<std::vector<Point>> marks(const PictureContent& scene, Session& session) const;
 
-  MeshInput input_;
+  std::vector<std::string> paths_;
+  Format from_ = Format::automatic;
+  Mending mending_;
   RulesOption rules_;
-  Wishes wishes_;
+  PictureWishes wishes_;
+  std::vector<std::string> styles_;
   std::string output_path_;
-  std::string beside_path_;
+  std::vector<std::string> beside_paths_;
+  std::string against_path_;
   std::string points_path_;
   Option points_;
   int levels_ = 0;
@@ -129,7 +53,14 @@ class Render : public Command {
 };
 
 void Render::define(Options& options) {
-  input_.define(options, "MESH", "The mesh to draw");
+  options
+      .add("MESH", paths_,
+           "The meshes to draw, side by side; points where there are no faces; '-' is the standard "
+           "input")
+      .required()
+      .type_name("...");
+  add_from_points(options, from_, "Format of the input that is '-'");
+  mending_.define(options);
   options.add("-o,--output", output_path_, "The PNG file; '-' is the standard output")
       .required()
       .type_name("FILE")
@@ -139,12 +70,61 @@ void Render::define(Options& options) {
       add_levels(options, levels_,
                  "Draw the limit surface after refinement steps; by default the mesh itself");
   levels_option_.default_text("").group("Surface");
+  define_picture(options);
+  options.examples(
+      "matte: fronts of faces are warm, backs cool. reflection: a mirror in a hall of parallel\n"
+      "lamps, whose lines wiggle where the surface is not fair. wireframe: edges, hidden ones "
+      "left\n"
+      "out. curvature, gaussian: mean and Gaussian curvature, positive on a ball. error: distance "
+      "to\n"
+      "--against; without it, how far the limit surface of MESH misses what it should pass "
+      "through.\n"
+      "At azimuth 0 the camera looks from the front: +z with --up y, -y with --up z, +y with --up "
+      "x.\n\n"
+      "Examples:\n"
+      "  surpass render mesh.obj -o mesh.png --edges --flat\n"
+      "  surpass render control.obj -o surface.png --levels 4 --points given.obj\n"
+      "  surpass render control.obj -o figure.png --levels 4 --beside given.obj --points\n"
+      "  surpass render plain.obj fair.obj -o both.png --levels 4 --style reflection,curvature \\\n"
+      "      --columns 2\n"
+      "  surpass render given.obj -o missed.png --levels 4 --style error\n"
+      "  surpass render scan.xyz -o scan.png\n"
+      "  surpass render part.stl -o - --up z --camera 40,25 --size 1920x1080 > part.png\n");
+}
+
+void Render::define_picture(Options& options) {
   const auto view = [](Option option) { option.group("Picture"); };
-  view(options.add("--size", wishes_.size, "Width and height in pixels")
+  view(options
+           .add("--style", styles_,
+                "matte, reflection, wireframe, curvature, gaussian or error; several, with commas "
+                "between, make several pictures of each MESH")
+           .comma_separated()
+           .type_name("STYLE,...")
+           .default_text("matte"));
+  view(options
+           .add("--against", against_path_,
+                "With --style error: show the distance to this mesh, relative to the box side of "
+                "MESH")
+           .type_name("FILE"));
+  view(
+      options
+          .add(
+              "--range", wishes_.range,
+              "Ends of the colour scale; by default round numbers that hold nearly all values, the "
+              "same for all MESHes")
+          .type_name("LOW,HIGH"));
+  view(options.add("--size", wishes_.size, "Width and height in pixels, of each picture")
            .type_name("WxH")
            .default_text(wishes_.size));
-  view(options.add("--camera", wishes_.camera, "Degrees around the up axis and above the horizon")
-           .type_name("AZIMUTH,ELEVATION")
+  view(options.add("--columns", wishes_.columns, "Pictures in a row; by default all are in one")
+           .in_range(1, 1000)
+           .type_name("N")
+           .default_text(""));
+  view(options
+           .add("--camera", wishes_.camera,
+                "Degrees around the up axis and above the horizon, and how many times closer than "
+                "where all is seen")
+           .type_name("AZIMUTH,ELEVATION[,ZOOM]")
            .default_text(wishes_.camera));
   view(options
            .choice_of_words(
@@ -153,9 +133,6 @@ void Render::define(Options& options) {
            .default_text("y"));
   view(options.flag("--edges", wishes_.edges, "Draw the edges of the mesh"));
   view(options.flag("--flat", wishes_.flat, "Flat facets instead of smooth shading"));
-  view(options.flag("--reflection-lines", wishes_.reflection_lines,
-                    "Shade as a mirror in a hall of parallel lamps: lines wiggle where the "
-                    "surface is not fair"));
   points_ = options
                 .add("--points", points_path_,
                      "Draw this mesh's vertices as red balls; without a file those of "
@@ -163,61 +140,125 @@ void Render::define(Options& options) {
                 .value_optional()
                 .type_name("[FILE]");
   view(points_);
+  view(
+      options
+          .add("--point-radius", wishes_.point_radius,
+               "Of the balls, relative to the largest side of the box; by default by their number, "
+               "or for a cloud by its spacing")
+          .in_range(0, 1)
+          .type_name("R")
+          .default_text(""));
   view(options
-           .add("--beside", beside_path_,
-                "Draw this mesh, as facets with edges, to the left in the same view")
-           .type_name("FILE"));
-  options.examples(
-      "Fronts of faces are warm, backs cool. At azimuth 0 the camera looks from the front: +z "
-      "with\n"
-      "--up y, -y with --up z, +y with --up x.\n\n"
-      "Examples:\n"
-      "  surpass render mesh.obj -o mesh.png --edges --flat\n"
-      "  surpass render control.obj -o surface.png --levels 4 --points given.obj\n"
-      "  surpass render control.obj -o figure.png --levels 4 --beside given.obj --points\n"
-      "  surpass render part.stl -o - --up z --camera 40,25 --size 1920x1080 > part.png\n");
+           .add("--beside", beside_paths_,
+                "Draw these meshes, as facets with edges, or points, to the left in the same view")
+           .comma_separated()
+           .type_name("FILE,..."));
+}
+
+Result<void> Render::check() const {
+  const auto refuse = [](const char* what) {
+    return fail(ErrorCode::invalid_argument, std::string(what));
+  };
+  std::vector<RenderStyle> styles;
+  for (const std::string& name : styles_) {
+    const auto style = render_style_named(name);
+    if (!style) return tl::make_unexpected(style.error());
+    styles.push_back(*style);
+  }
+  const auto scaled = std::count_if(styles.begin(), styles.end(), has_scale);
+  if (!against_path_.empty() && std::count(styles.begin(), styles.end(), RenderStyle::error) == 0) {
+    return refuse("--against is for --style error");
+  }
+  if (!wishes_.range.empty() && scaled != 1) {
+    return refuse("--range is for one of the styles curvature, gaussian and error");
+  }
+  return {};
 }
 
 Result<void> Render::run(Session& session) {
-  std::vector<std::string> inputs = {input_.path()};
-  for (const std::string& path : {beside_path_, points_path_}) {
+  if (const auto checked = check(); !checked) return checked;
+  std::vector<std::string> inputs = paths_;
+  inputs.insert(inputs.end(), beside_paths_.begin(), beside_paths_.end());
+  for (const std::string& path : {points_path_, against_path_}) {
     if (!path.empty()) inputs.push_back(path);
   }
   std::vector<std::string> outputs = {output_path_};
   if (session.reporting()) outputs.push_back(session.report_path);
   if (auto checked = check_paths(inputs, outputs, false); !checked) return checked;
 
-  const Result<LoadedMesh> loaded = input_.load(session);
-  if (!loaded) return tl::make_unexpected(loaded.error());
-  Result<LoadedMesh> left;
-  if (!beside_path_.empty()) {
-    left = load_mesh(beside_path_, Format::automatic, session);
-    if (!left) return tl::make_unexpected(left.error());
-  }
-  const Mesh* given = beside_path_.empty() ? nullptr : &left->mesh;
-  const auto points = marked(loaded->mesh, given, session);
-  if (!points) return tl::make_unexpected(points.error());
-  const Result<Mesh> drawn = surface(loaded->mesh, session);
-  if (!drawn) return tl::make_unexpected(drawn.error());
-  const Result<std::string> png = picture(*drawn, given, *points, wishes_, session);
+  const Result<PictureContent> scene = load(session);
+  if (!scene) return tl::make_unexpected(scene.error());
+  const Result<std::string> png = draw_picture(*scene, wishes_, session);
   if (!png) return tl::make_unexpected(png.error());
   return write_bytes(output_path_, *png, session);
 }
 
-Result<Mesh> Render::surface(const Mesh& mesh, Session& session) const {
-  if (!levels_option_.given()) return mesh;
-  const Rules rules = rules_.choose(mesh, session);
-  if (auto checked = check_levels(mesh, levels_); !checked) {
-    return tl::make_unexpected(checked.error());
+Result<PictureContent> Render::load(Session& session) const {
+  PictureContent scene;
+  for (const std::string& name : styles_) scene.styles.push_back(*render_style_named(name));
+  if (scene.styles.empty()) scene.styles.push_back(RenderStyle::matte);
+  const bool misses = against_path_.empty() &&
+                      std::count(scene.styles.begin(), scene.styles.end(), RenderStyle::error) > 0;
+  for (const std::string& path : paths_) {
+    auto surface = load_surface(path, misses, session);
+    if (!surface) return tl::make_unexpected(surface.error());
+    scene.surfaces.push_back(std::move(*surface));
   }
-  return session.timed("refine", [&] { return limit_mesh(mesh, rules, levels_, session.context); });
+  for (const std::string& path : beside_paths_) {
+    auto loaded = load_shape(path, Format::automatic, session);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    scene.left.push_back(std::move(loaded->mesh));
+  }
+  if (!against_path_.empty()) {
+    auto loaded = load_mesh(against_path_, Format::automatic, session);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    scene.against = std::move(loaded->mesh);
+  }
+  auto found = marks(scene, session);
+  if (!found) return tl::make_unexpected(found.error());
+  scene.marks = std::move(*found);
+  return scene;
 }
 
-Result<std::vector<Point>> Render::marked(const Mesh& mesh, const Mesh* left,
+Result<DrawnSurface> Render::load_surface(const std::string& path, bool rules_wanted,
                                           Session& session) const {
+  const Format format = path == "-" ? from_ : Format::automatic;
+  auto loaded = load_shape(path, format, session);
+  if (!loaded) return tl::make_unexpected(loaded.error());
+  DrawnSurface surface{path, std::move(loaded->mesh), {}, 0, {}};
+  if (auto mended = mending_.apply(surface.given, session); !mended) {
+    return tl::make_unexpected(mended.error());
+  }
+  Json input = session.reporting() ? mesh_json(path, surface.given) : Json::object();
+  surface.drawn = surface.given;
+  if (levels_option_.given() || rules_wanted) {
+    surface.rules = rules_.choose(surface.given, session);
+    for (const char* key : {"scheme", "boundary", "weights"}) {
+      if (session.report.contains(key)) input[key] = session.report[key];
+      session.report.erase(key);
+    }
+  }
+  if (levels_option_.given()) {
+    surface.levels = levels_;
+    if (auto checked = check_levels(surface.given, levels_); !checked) {
+      return tl::make_unexpected(checked.error());
+    }
+    auto limit = session.timed("refine", [&] {
+      return limit_mesh(surface.given, *surface.rules, levels_, session.context);
+    });
+    if (!limit) return tl::make_unexpected(limit.error());
+    surface.drawn = std::move(*limit);
+  }
+  if (session.reporting()) session.report["inputs"].push_back(std::move(input));
+  return surface;
+}
+
+Result<std::vector<Point>> Render::marks(const PictureContent& scene, Session& session) const {
   if (!points_.given()) return std::vector<Point>{};
-  if (points_path_.empty()) return left != nullptr ? left->points : mesh.points;
-  const Result<LoadedMesh> loaded = load_mesh(points_path_, Format::automatic, session);
+  if (points_path_.empty()) {
+    return scene.left.empty() ? scene.surfaces.front().given.points : scene.left.back().points;
+  }
+  const Result<LoadedMesh> loaded = load_points(points_path_, Format::automatic, session);
   if (!loaded) return tl::make_unexpected(loaded.error());
   return loaded->mesh.points;
 }

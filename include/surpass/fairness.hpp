@@ -6,6 +6,7 @@
 #include <surpass/scheme.hpp>
 
 #include <cstddef>
+#include <vector>
 
 namespace surpass {
 
@@ -107,5 +108,23 @@ struct NormalDeviation {
                                                        const Rules& rules,
                                                        const FairnessOptions& options = {},
                                                        const Context& context = {});
+
+/// Curvatures of a surface at a vertex, in 1 / length and 1 / length^2; both positive on a ball
+/// that is seen from outside.
+struct VertexCurvature {
+  double mean = 0;   ///< (k1 + k2) / 2
+  double gauss = 0;  ///< k1 k2
+};
+
+/// Of a mesh as it is (polygons are cut into triangles), #V; to look at a limit surface, hand over
+/// limit_mesh(), whose vertices and normals are exact. Estimated from how the normals turn along
+/// the edges (S. Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes,
+/// 3DPVT 2004): vertex channel "normal" where there is one, else the mean of the faces' normals.
+/// Exact on spheres with exact normals, of first order in the edges' length elsewhere; at creases
+/// and where a limit's curvature is not bounded it grows as edges shorten. 0 at isolated vertices.
+/// The same bits for any number of threads. O(#corners). Errors: those of Topology::build, no
+/// faces, cancelled.
+[[nodiscard]] Result<std::vector<VertexCurvature>> vertex_curvatures(const Mesh& surface,
+                                                                     const Context& context = {});
 
 }  // namespace surpass

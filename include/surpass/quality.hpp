@@ -70,4 +70,29 @@ struct Deviation {
 [[nodiscard]] Result<Deviation> deviation(const Mesh& a, const Mesh& b, double accuracy = 1e-5,
                                           const Context& context = {});
 
+/// Distances of points to a surface, in the units of the points.
+struct PointDistances {
+  double max = 0;
+  double mean = 0;
+  double rms = 0;
+  double percentile99 = 0;
+  std::size_t count = 0;  ///< points that are finite; others do not count
+  Index farthest = 0;     ///< a point at distance max
+};
+
+/// Distance of every point to the nearest triangle of the mesh (polygons are cut into triangles).
+/// O(#points log #F) usually. Errors: no faces, a vertex that does not exist or is not finite, no
+/// finite point, cancelled.
+[[nodiscard]] Result<PointDistances> point_distances(std::span<const Point> points,
+                                                     const Mesh& surface,
+                                                     const Context& context = {});
+
+/// The same, one by one: #points, NaN for points that are not finite.
+[[nodiscard]] Result<std::vector<double>> distances_to(std::span<const Point> points,
+                                                       const Mesh& surface,
+                                                       const Context& context = {});
+
+/// What point_distances says of them. NaN does not count.
+[[nodiscard]] PointDistances summary_of(std::span<const double> distances);
+
 }  // namespace surpass

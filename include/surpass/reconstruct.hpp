@@ -4,6 +4,7 @@
 
 #include <surpass/context.hpp>
 #include <surpass/mesh.hpp>
+#include <surpass/quality.hpp>
 #include <surpass/scheme.hpp>
 
 #include <cstdint>
@@ -106,23 +107,6 @@ struct Reconstruction {
                                                  std::span<const Channel> channels = {},
                                                  const ReconstructOptions& options = {},
                                                  const Context& context = {});
-
-/// Distances of points to a surface, in the units of the points.
-struct PointDistances {
-  double max = 0;
-  double mean = 0;
-  double rms = 0;
-  double percentile99 = 0;
-  std::size_t count = 0;  ///< points that are finite; others do not count
-  Index farthest = 0;     ///< a point at distance max
-};
-
-/// Distance of every point to the nearest triangle of the mesh (polygons are cut into triangles).
-/// O(#points log #F) usually. Errors: no faces, a vertex that does not exist or is not finite, no
-/// finite point, cancelled.
-[[nodiscard]] Result<PointDistances> point_distances(std::span<const Point> points,
-                                                     const Mesh& surface,
-                                                     const Context& context = {});
 
 /// How far given points are from the limit surface of a control mesh.
 struct LimitDistances {

@@ -33,11 +33,19 @@ double sharpness(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
 
 }  // namespace
 
-bool CollapseGuards::allow(Index v, Index w) { return keep_topology(v, w) && keep_shape(v, w); }
+bool CollapseGuards::allow(Index v, Index w, std::span<const Index> around_v) {
+  return keep_topology(v, w, around_v) && keep_shape(v, w);
+}
 
-bool CollapseGuards::keep_topology(Index v, Index w) {
-  mesh_.neighbours(v, around_v_);
-  mesh_.neighbours(w, around_w_);
+bool CollapseGuards::has_more_than_least_valence(Index v) {
+  std::size_t faces = 0;
+  mesh_.for_each_corner(v, [&](Index) { ++faces; });
+  if (faces > kLowestValence) return true;  // which have as many neighbours, or more at boundaries
+  mesh_.neighbours(v, around_apex_);
+  return around_apex_.size() > kLowestValence;
+}
+
+bool CollapseGuards::keep_topology(Index v, Index w, std::span<const Index> around_v) {
   std::size_t shared_faces = 0;
   bool apexes_can_lose_one = true;
   mesh_.for_each_corner(v, [&](Index c) {
@@ -45,18 +53,16 @@ bool CollapseGuards::keep_topology(Index v, Index w) {
     const Index b = mesh_.vertex(CollapseMesh::next(CollapseMesh::next(c)));
     if (a != w && b != w) return;
     ++shared_faces;
-    mesh_.neighbours(a == w ? b : a, around_apex_);
-    apexes_can_lose_one = apexes_can_lose_one && around_apex_.size() > kLowestValence;
+    apexes_can_lose_one = apexes_can_lose_one && has_more_than_least_valence(a == w ? b : a);
   });
   if (!apexes_can_lose_one) return false;
-  std::size_t common = 0;
-  for (const Index u : around_v_) {
-    if (std::binary_search(around_w_.begin(), around_w_.end(), u)) ++common;
-  }
+  mesh_.neighbours(w, around_w_);
+  const auto common = static_cast<std::size_t>(
+      std::count_if(around_v.begin(), around_v.end(), [&](Index u) { return mesh_.was_found(u); }));
   if (common != shared_faces) return false;
   // An edge with both ends on the boundary must lie on it.
   if (boundary_[v] != 0 && boundary_[w] != 0 && shared_faces != 1) return false;
-  const std::size_t valence = around_v_.size() - 1 + around_w_.size() - 1 - common;
+  const std::size_t valence = around_v.size() - 1 + around_w_.size() - 1 - common;
   return valence <= std::max(kHighestValence, around_w_.size()) && valence >= kLowestValence;
 }
 

@@ -8,21 +8,27 @@ CollapseMesh::CollapseMesh(const Mesh& mesh)
     : vertices_(mesh.face_vertices),
       first_(mesh.points.size(), kNone),
       next_(mesh.face_vertices.size(), kNone),
-      gone_(mesh.face_count(), 0) {
+      gone_(mesh.face_count(), 0),
+      round_of_(mesh.points.size(), 0) {
   for (Index c = 0; c < vertices_.size(); ++c) {
     next_[c] = first_[vertices_[c]];
     first_[vertices_[c]] = c;
   }
 }
 
-void CollapseMesh::neighbours(Index v, std::vector<Index>& found) const {
+void CollapseMesh::neighbours(Index v, std::vector<Index>& found) {
   found.clear();
+  if (++round_ == 0) {  // after four thousand million calls
+    std::fill(round_of_.begin(), round_of_.end(), 0);
+    round_ = 1;
+  }
   for_each_corner(v, [&](Index c) {
-    found.push_back(vertices_[next(c)]);
-    found.push_back(vertices_[next(next(c))]);
+    for (const Index u : {vertices_[next(c)], vertices_[next(next(c))]}) {
+      if (round_of_[u] == round_) continue;
+      round_of_[u] = round_;
+      found.push_back(u);
+    }
   });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
 void CollapseMesh::unlink(Index corner) {

@@ -29,8 +29,11 @@ class CollapseMesh {
     for (Index c = first_[v]; c != kNone; c = next_[c]) visit(c);
   }
 
-  /// The vertices that share a face with v, each once, ascending, into `found`.
-  void neighbours(Index v, std::vector<Index>& found) const;
+  /// The vertices that share a face with v, each once, into `found`.
+  void neighbours(Index v, std::vector<Index>& found);
+
+  /// Whether u was among those that neighbours() found last.
+  [[nodiscard]] bool was_found(Index u) const { return round_of_[u] == round_; }
 
   /// Merges v into its neighbour w: faces of both disappear, the others of v go to w.
   void collapse(Index v, Index w);
@@ -42,6 +45,8 @@ class CollapseMesh {
   std::vector<Index> first_;     // #V: a corner at the vertex
   std::vector<Index> next_;      // #corners: another one at the same vertex
   std::vector<unsigned char> gone_;
+  std::vector<Index> round_of_;  // #V: the call of neighbours() that found it last
+  Index round_ = 0;
 };
 
 }  // namespace surpass::reconstruction

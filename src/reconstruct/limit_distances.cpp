@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reconstruct/point_distances.hpp"
-
 namespace surpass {
 namespace {
 
@@ -64,7 +62,7 @@ Result<LimitDistances> limit_distances(std::span<const Point> points, std::span<
     found.levels = affordable_levels(control, rules);
     const auto surface = surface_at(control, rules, found.levels, context);
     if (!surface) return tl::make_unexpected(surface.error());
-    const auto measured = reconstruction::distances_to(others, *surface, context);
+    const auto measured = distances_to(others, *surface, context);
     if (!measured) return tl::make_unexpected(measured.error());
     for (std::size_t k = 0; k < numbers.size(); ++k) distances[numbers[k]] = (*measured)[k];
     if (found.levels > 0) {
@@ -77,9 +75,9 @@ Result<LimitDistances> limit_distances(std::span<const Point> points, std::span<
       found.sampling = between->max / 3;
     }
   }
-  found.all = reconstruction::summary(distances);
+  found.all = summary_of(distances);
   for (const Index i : unused) distances[i] = std::nan("");
-  found.used = reconstruction::summary(distances);
+  found.used = summary_of(distances);
   return found;
 }
 

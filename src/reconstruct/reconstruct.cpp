@@ -13,6 +13,7 @@
 #include "reconstruct/clean_up.hpp"
 #include "reconstruct/cloud.hpp"
 #include "reconstruct/features.hpp"
+#include "reconstruct/remarks.hpp"
 #include "reconstruct/simplify.hpp"
 
 namespace surpass {
@@ -22,8 +23,6 @@ using namespace reconstruction;  // NOLINT(google-build-using-namespace): our ow
 
 constexpr double kSmoothFrom = 0.15;  // noise in spacings
 constexpr double kSmoothTwiceFrom = 0.5;
-constexpr double kOriginalBelow = 0.3;
-constexpr double kSheetsMayJoin = 1.5;  // spacings
 constexpr double kBoundWithOutliers = 8;
 constexpr double kUntie = 1e-4;        // spacings: nothing beside what scanners scatter
 constexpr double kSmallPiece = 0.005;  // of the faces
@@ -71,27 +70,28 @@ class Run {
          {&Run::clean_points, &Run::leave_out_outliers, &Run::measure, &Run::smooth_points,
           &Run::connect, &Run::clean_mesh, &Run::simplify_mesh, &Run::finish}) {
       if (const auto done = (this->*step)(); !done) return tl::make_unexpected(done.error());
+      if (context_.cancelled()) {
+        return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
+      }
     }
-    warn();
+    count_parts(result_.mesh, report());
+    add_warnings(share_of_sheets_, options_.vertices, result_.mesh.vertex_count(), report());
     return std::move(result_);
   }
 
  private:
   Result<void> clean_points();
   Result<void> leave_out_outliers();
+  Result<void> meet_neighbours();
   Result<void> measure();
   Result<void> smooth_points();
   Result<void> connect();
   Result<void> clean_mesh();
   Result<void> make_manifold();
   Result<void> simplify_mesh();
-  Result<Mesh> simplify_within_tolerance(Features& features);
-  Result<void> measure_polyhedron(const Mesh& simple);
   Result<void> finish();
   void note_unused();
   void carry_channels();
-  void count_parts();
-  void warn();
   [[nodiscard]] std::vector<Point> given_normals() const;
   [[nodiscard]] ReconstructReport& report() { return result_.report; }
 
@@ -100,6 +100,8 @@ class Run {
   const ReconstructOptions& options_;
   const Context& context_;
   Cloud cloud_;
+  std::vector<Index> distinct_;  // the given points that are finite and no repetitions
+  std::optional<Neighbours> neighbours_;
   double spacing_ = 0;  // in the cloud's box, as all lengths here
   double share_of_sheets_ = 0;
   std::vector<Point> smoothed_;  // empty if they are not
@@ -117,16 +119,15 @@ Result<void> Run::clean_points() {
   report().not_finite = cloud_.not_finite;
   report().duplicates = cloud_.duplicates;
   report().box_side = cloud_.box_side;
+  distinct_ = cloud_.source;
   return check_memory(cloud_.points.size());
 }
 
 Result<void> Run::leave_out_outliers() {
   if (options_.outliers == Choice::off) return {};
-  const Neighbours neighbours(cloud_.points);
-  const Result<double> spacing = spacing_of(cloud_, neighbours, context_);
-  if (!spacing) return tl::make_unexpected(spacing.error());
+  if (const auto met = meet_neighbours(); !met) return met;
   auto found =
-      find_outliers(cloud_, neighbours, *spacing, options_.outliers == Choice::on, context_);
+      find_outliers(cloud_, *neighbours_, spacing_, options_.outliers == Choice::on, context_);
   if (!found) return tl::make_unexpected(found.error());
   report().outliers = static_cast<std::size_t>(std::count(found->begin(), found->end(), 1));
   if (report().outliers == 0) return {};
@@ -134,16 +135,25 @@ Result<void> Run::leave_out_outliers() {
     return fail(ErrorCode::empty_mesh, "all points stand alone; try without leaving out outliers");
   }
   for (unsigned char& f : *found) f = f == 0 ? 1 : 0;
+  neighbours_.reset();
   cloud_ = subset(cloud_, *found);
   return {};
 }
 
-Result<void> Run::measure() {
-  const Neighbours neighbours(cloud_.points);
-  const Result<double> spacing = spacing_of(cloud_, neighbours, context_);
+// Of the cloud as it is now: where no outlier is left out, those of the step before serve again.
+Result<void> Run::meet_neighbours() {
+  if (neighbours_) return {};
+  neighbours_.emplace(cloud_.points);
+  const Result<double> spacing = spacing_of(cloud_, *neighbours_, context_);
   if (!spacing) return tl::make_unexpected(spacing.error());
   spacing_ = *spacing;
-  const Result<Roughness> rough = roughness_of(cloud_, neighbours, spacing_, context_);
+  return {};
+}
+
+Result<void> Run::measure() {
+  if (const auto met = meet_neighbours(); !met) return met;
+  const Result<Roughness> rough = roughness_of(cloud_, *neighbours_, spacing_, context_);
+  neighbours_.reset();
   if (!rough) return tl::make_unexpected(rough.error());
   share_of_sheets_ = rough->share_of_sheets;
   report().spacing = spacing_;
@@ -164,9 +174,8 @@ Result<void> Run::smooth_points() {
   Result<std::vector<Point>> moved = smooth(cloud_, report().smoothing_passes, context_);
   if (!moved) return tl::make_unexpected(moved.error());
   smoothed_ = std::move(*moved);
-  report().smoothed_positions =
-      options_.positions == Positions::smoothed ||
-      (options_.positions == Positions::automatic && noise >= kOriginalBelow);
+  report().smoothed_positions = options_.positions == Positions::smoothed ||
+                                (options_.positions == Positions::automatic && noise >= kMuchNoise);
   return {};
 }
 
@@ -205,7 +214,7 @@ Result<void> Run::make_manifold() {
 
 Result<void> Run::clean_mesh() {
   const double faces = mesh_.face_count();
-  const bool rough = report().outliers > 0 || report().noise > kOriginalBelow;
+  const bool rough = report().outliers > 0 || report().noise > kMuchNoise;
   report().dropped_pieces =
       drop_small_pieces(mesh_, rough ? kSmallPiece : std::min(kSmallPiece, 10 / faces));
   if (const auto made = make_manifold(); !made) return made;
@@ -245,8 +254,7 @@ void Run::note_unused() {
   for (const double v : mesh_.channels.front().values) {
     used[cloud_.source[static_cast<std::size_t>(v)]] = 1;
   }
-  const Result<Cloud> all = clean(given_);
-  for (const Index i : all->source) {
+  for (const Index i : distinct_) {
     if (used[i] == 0) result_.unused.push_back(i);
   }
   report().unused = result_.unused.size();
@@ -259,43 +267,14 @@ Result<void> Run::simplify_mesh() {
     features_ = find_features(mesh_, *topology, *options_.feature_angle);
   }
   if (!options_.tolerance && !options_.vertices) return {};
-  Result<Mesh> simple = options_.tolerance
-                            ? simplify_within_tolerance(features_)
-                            : simplify(mesh_, features_, {.vertices = options_.vertices}, context_);
+  Result<Simplified> simple =
+      simplify_and_measure(mesh_, features_, options_.tolerance, options_.vertices, context_);
   if (!simple) return tl::make_unexpected(simple.error());
-  if (const auto measured = measure_polyhedron(*simple); !measured) return measured;
-  mesh_ = std::move(*simple);
+  report().polyhedron_max = simple->distances.max;
+  report().polyhedron_rms = simple->distances.rms;
+  mesh_ = std::move(simple->mesh);
+  features_ = std::move(simple->features);
   return {};
-}
-
-Result<void> Run::measure_polyhedron(const Mesh& simple) {
-  const Result<PointDistances> found = point_distances(mesh_.points, simple, context_);
-  if (!found) return tl::make_unexpected(found.error());
-  report().polyhedron_max = found->max;
-  report().polyhedron_rms = found->rms;
-  return {};
-}
-
-// The quadrics' cost keeps the tolerance as a rule; the distances say whether it did. Where not, a
-// lower cost is tried, and in the end none, which leaves every point a vertex.
-Result<Mesh> Run::simplify_within_tolerance(Features& features) {
-  constexpr int kTries = 6;
-  constexpr double kRounding = 1e-14;  // of the distances, in a box of side 1
-  const double tolerance = *options_.tolerance;
-  double cost = tolerance * tolerance;
-  const Features all = features;
-  for (int attempt = 0; attempt < kTries; ++attempt) {
-    features = all;
-    Result<Mesh> simple =
-        simplify(mesh_, features, {.cost = cost, .vertices = options_.vertices}, context_);
-    if (!simple) return simple;
-    const Result<PointDistances> found = point_distances(mesh_.points, *simple, context_);
-    if (!found) return tl::make_unexpected(found.error());
-    if (found->max <= tolerance - kRounding) return simple;
-    cost *= std::pow(0.7 * tolerance / found->max, 2);
-  }
-  features = all;
-  return mesh_;
 }
 
 void Run::carry_channels() {
@@ -332,58 +311,7 @@ Result<void> Run::finish() {
   }
   mesh.channels.clear();
   carry_channels();
-  count_parts();
   return {};
-}
-
-void Run::count_parts() {
-  const Mesh& mesh = result_.mesh;
-  report().creases = mesh.creases.size();
-  report().corners = mesh.corners.size();
-  const auto topology = Topology::build(mesh);
-  if (!topology) return;
-  report().pieces = find_components(*topology).count;
-  report().open_loops = boundary_loops(*topology).size();
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (topology->is_bowtie(v)) return;
-  }
-  const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
-  const std::int64_t euler =
-      count(mesh.vertex_count()) - count(topology->edge_count()) + count(mesh.face_count());
-  const std::int64_t handles =
-      (2 * count(report().pieces) - count(report().open_loops) - euler) / 2;
-  report().genus = static_cast<std::size_t>(handles);
-}
-
-void Run::warn() {
-  std::vector<std::string>& warnings = report().warnings;
-  const ReconstructReport& r = report();
-  if (r.sheet_gap && share_of_sheets_ > 0.02 && *r.sheet_gap < kSheetsMayJoin) {
-    warnings.push_back(fmt::format(
-        "parts of the surface seem to lie {:.2f} spacings apart ({:.0f} % of the points are near a "
-        "second sheet); below 1.5 they may be joined, so look at the mesh, or sample more densely",
-        *r.sheet_gap, 100 * share_of_sheets_));
-  }
-  if (r.noise > kOriginalBelow) {
-    warnings.push_back(fmt::format(
-        "the points scatter by {:.2f} spacings about the surface, more than 0.3: fine detail is "
-        "lost, and handles or holes may be wrong",
-        r.noise));
-  }
-  const double share =
-      static_cast<double>(r.unused) / static_cast<double>(r.points - r.not_finite - r.duplicates);
-  if (share > 0.005) {
-    warnings.push_back(
-        fmt::format("{} points ({:.1f} %) are not used by the mesh, of them {} as "
-                    "outliers",
-                    r.unused, 100 * share, r.outliers));
-  }
-  if (options_.vertices && result_.mesh.vertex_count() > *options_.vertices) {
-    warnings.push_back(
-        fmt::format("{} vertices are left, more than the {} asked for: further "
-                    "collapses would spoil the mesh or exceed the tolerance",
-                    result_.mesh.vertex_count(), *options_.vertices));
-  }
 }
 
 Result<void> check_channels(std::span<const Channel> channels, std::size_t points) {
@@ -407,33 +335,6 @@ Result<Reconstruction> reconstruct(std::span<const Point> points, std::span<cons
   }
   if (points.size() >= kNone) return fail(ErrorCode::too_large, "more than 4294967294 points");
   return Run(points, channels, options, context).run();
-}
-
-const char* name_of(Choice choice) {
-  switch (choice) {
-    case Choice::automatic: return "auto";
-    case Choice::on: return "on";
-    case Choice::off: return "off";
-  }
-  return "";
-}
-
-const char* name_of(Closing closing) {
-  switch (closing) {
-    case Closing::all: return "all";
-    case Closing::small: return "small";
-    case Closing::none: return "none";
-  }
-  return "";
-}
-
-const char* name_of(Positions positions) {
-  switch (positions) {
-    case Positions::automatic: return "auto";
-    case Positions::original: return "original";
-    case Positions::smoothed: return "smoothed";
-  }
-  return "";
 }
 
 }  // namespace surpass

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLongestToMean = 1.9;  // edges beside the mean edge of the result
+constexpr double kLongestToMean = 2.0;  // edges beside the mean edge of the result
 constexpr double kMoreLength = 1.25;    // the longest edge grows by this where nothing else is left
 constexpr int kMostGrowth = 8;
 // Where planes do not tell collapses apart, short edges go first.
@@ -72,18 +72,21 @@ class Simplification {
   Result<void> run(double longest_edge) {
     guards_.set_longest_edge(longest_edge);
     queue_ = {};
-    for (Index v = 0; v < points_.size(); ++v) offer(v);
+    for (Index v = 0; v < points_.size(); ++v) {
+      if (v % 1024 == 0) {
+        if (const auto going = look_up(); !going) return going;
+      }
+      offer(v);
+    }
     for (std::size_t step = 0; !queue_.empty() && !is_done(); ++step) {
       if (step % 1024 == 0) {
-        if (context_.cancelled()) {
-          return fail(ErrorCode::cancelled, "the simplification was interrupted");
-        }
-        context_.report({.stage = "simplify", .fraction = share_done()});
+        if (const auto going = look_up(); !going) return going;
       }
       const Candidate candidate = queue_.top();
       queue_.pop();
       if (candidate.version != version_[candidate.vertex]) continue;
-      if (guards_.allow(candidate.vertex, candidate.into)) {
+      triangles_.neighbours(candidate.vertex, around_);
+      if (guards_.allow(candidate.vertex, candidate.into, around_)) {
         collapse(candidate.vertex, candidate.into);
       } else {
         offer(candidate.vertex);  // a valence nearby has changed
@@ -140,6 +143,12 @@ class Simplification {
     for (const Index v : {a, b}) quadrics_[v].add_plane(upright.normalized(), points_[v]);
   }
 
+  [[nodiscard]] Result<void> look_up() const {
+    context_.report({.stage = "simplify", .fraction = share_done()});
+    if (!context_.cancelled()) return {};
+    return fail(ErrorCode::cancelled, "the simplification was interrupted");
+  }
+
   [[nodiscard]] double share_done() const {
     const double goal = limits_.vertices ? static_cast<double>(*limits_.vertices) : 0;
     const double all = static_cast<double>(at_first_) - goal;
@@ -165,7 +174,7 @@ class Simplification {
       return a.key != b.key ? a.key < b.key : a.into < b.into;
     });
     for (const Candidate& option : options_) {
-      if (!guards_.allow(v, option.into)) continue;
+      if (!guards_.allow(v, option.into, around_)) continue;
       queue_.push(option);
       return;
     }

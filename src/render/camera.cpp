@@ -82,6 +82,7 @@ Camera::Camera(std::span<const Point> points, double margin, const RenderOptions
   }
   turn(options);
   fit(points, margin * static_cast<double>(unit_side_));
+  focal_ *= static_cast<float>(options.zoom);
 }
 
 void Camera::turn(const RenderOptions& options) {

@@ -93,15 +93,17 @@ Result<DisplayMesh> make_display_mesh(const Mesh& mesh, const RenderOptions& opt
   auto normals = shading_normals(mesh, options, context);
   if (!normals) return tl::make_unexpected(normals.error());
   DisplayMesh display{cut_into_triangles(mesh), std::move(*normals)};
-  if (display.triangles.empty()) {
+  const bool is_cloud = mesh.face_count() == 0 && !mesh.points.empty();
+  if (display.triangles.empty() && !is_cloud) {
     return fail(ErrorCode::empty_mesh, mesh.face_count() == 0
-                                           ? "the mesh has no faces: nothing can be drawn"
+                                           ? "there are neither faces nor points to draw"
                                            : "every face is a hole: nothing can be drawn");
   }
   return display;
 }
 
 std::vector<Point> drawn_points(const Mesh& mesh, const DisplayMesh& display) {
+  if (display.triangles.empty()) return mesh.points;
   std::vector<bool> drawn(mesh.vertex_count());
   for (const Triangle& triangle : display.triangles) {
     for (const Index v : triangle.vertices) drawn[v] = true;

@@ -21,12 +21,13 @@ struct DisplayMesh {
   std::vector<Vec3> corner_normals;  ///< #corners of the mesh, unit or zero
 };
 
-/// Flat facets where `options` asks for them and where the mesh is no oriented manifold. Fails for
-/// indices out of range, positions that are not finite, and where there is nothing to draw.
+/// Flat facets where `options` asks for them and where the mesh is no oriented manifold. A mesh of
+/// points alone has no triangles. Fails for indices out of range, positions that are not finite,
+/// and where there is nothing to draw.
 [[nodiscard]] Result<DisplayMesh> make_display_mesh(const Mesh& mesh, const RenderOptions& options,
                                                     const Context& context = {});
 
-/// The mesh's positions at the corners of what is drawn.
+/// The mesh's positions at the corners of what is drawn; all of them where there are no faces.
 [[nodiscard]] std::vector<Point> drawn_points(const Mesh& mesh, const DisplayMesh& display);
 
 }  // namespace surpass::picture

@@ -7,7 +7,30 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include "render/backdrop.hpp"
+#include "render/srgb.hpp"
+
 namespace surpass {
+
+namespace picture {
+namespace {
+
+// The background and nothing before it.
+Image blank(int width, int height) {
+  const SrgbTable to_srgb;
+  Image image{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    const Colour colour = backdrop(y, height);
+    for (int x = 0; x < width; ++x) {
+      for (int k = 0; k < 3; ++k) image.pixels.push_back(to_srgb(colour[k]));
+    }
+  }
+  return image;
+}
+
+}  // namespace
+}  // namespace picture
+
 namespace {
 
 Result<void> check_image(const Image& image) {
@@ -72,6 +95,32 @@ Result<Image> beside(const std::vector<Image>& images) {
       const auto begin = image.pixels.begin() + y * row;
       joined.pixels.insert(joined.pixels.end(), begin, begin + row);
     }
+  }
+  return joined;
+}
+
+Result<Image> in_rows(const std::vector<Image>& images, std::size_t columns) {
+  if (images.empty() || columns == 0) {
+    return fail(ErrorCode::invalid_argument, "there are no pictures to join");
+  }
+  for (const Image& image : images) {
+    if (auto checked = check_image(image); !checked) return tl::make_unexpected(checked.error());
+    if (image.width != images.front().width || image.height != images.front().height) {
+      return fail(ErrorCode::invalid_argument, "pictures in rows must all be of one size");
+    }
+  }
+  Image joined;
+  for (std::size_t first = 0; first < images.size(); first += columns) {
+    const std::size_t count = std::min(columns, images.size() - first);
+    const auto begin = images.begin() + static_cast<std::ptrdiff_t>(first);
+    std::vector<Image> row(begin, begin + static_cast<std::ptrdiff_t>(count));
+    const bool short_row = images.size() > columns && count < columns;
+    if (short_row) row.resize(columns, picture::blank(images.front().width, images.front().height));
+    Result<Image> wide = beside(row);
+    if (!wide) return wide;
+    joined.width = wide->width;
+    joined.height += wide->height;
+    joined.pixels.insert(joined.pixels.end(), wide->pixels.begin(), wide->pixels.end());
   }
   return joined;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "parallel/parallel.hpp"
+#include "render/backdrop.hpp"
+#include "render/colour_map.hpp"
 
 namespace surpass::picture {
 namespace {
@@ -13,14 +15,14 @@ constexpr std::size_t kRowsAChunk = 4;
 constexpr float kReach = 0.6F;       // of occlusion, in box sides
 constexpr float kThickness = 0.02F;  // of a piece of the surface, in box sides
 
-// Neighbouring pixels see the same piece of the surface if normals and planes agree.
+// Neighbouring pixels see the same piece of the surface if normals, planes and paint agree.
 constexpr float kAlikeCosine = 0.995F;
 constexpr float kAlikePixels = 2;
+constexpr float kAlikePaint = 0.03F;
 
-const Colour kTop = {0.955F, 0.955F, 0.945F};
-const Colour kBottom = {0.700F, 0.712F, 0.722F};
 const Colour kLine = {0.035F, 0.037F, 0.042F};
 constexpr float kLineStrength = 0.75F;
+constexpr float kInkStrength = 0.95F;  // on paper
 
 template <class Body>
 void for_each_row(const Context& context, int first, int last, const Body& body) {
@@ -41,22 +43,36 @@ void for_each_pixel(const Context& context, int width, int first, int last, cons
   });
 }
 
+Style style_of(const RenderOptions& options) {
+  switch (options.shading) {
+    case Shading::matte: return matte;
+    case Shading::reflection: return reflection;
+    case Shading::wireframe: return paper;
+    case Shading::field: return painted;
+  }
+  return matte;
+}
+
 Vec2 centre(int x, int y) { return {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F}; }
 
 }  // namespace
 
 Painter::Painter(const DisplayMesh& display, std::span<const Vec3> points, const Scene& scene,
-                 const Camera& camera, const RenderOptions& options)
+                 std::span<const Vec3> cloud_normals, const Camera& camera,
+                 const RenderOptions& options)
     : display_(display),
       scene_(scene),
+      cloud_normals_(cloud_normals),
       camera_(camera),
       width_(options.width),
       height_(options.height),
       side_(static_cast<int>(std::ceil(std::sqrt(options.samples)))),
-      fine_(options.reflection_lines),
-      style_(options.reflection_lines ? reflection : matte),
+      fine_(options.shading == Shading::reflection),
+      field_(options.shading == Shading::field ? &*options.field : nullptr),
+      line_strength_(options.shading == Shading::wireframe ? kInkStrength : kLineStrength),
+      style_(style_of(options)),
       sky_(scene, side_ * side_, kReach * camera.unit_side()) {
-  if (options.edges) lines_.emplace(points, camera);
+  if (options.edges || options.shading == Shading::wireframe) lines_.emplace(points, camera);
 }
 
 bool Painter::paint(Image& image, const Context& context) const {
@@ -118,19 +134,35 @@ Painter::Sight Painter::describe(const Hit& hit, const Vec3& ray) const {
   SurfacePlace& seen = sight.place;
   seen.position = hit.position;
   seen.to_eye = -ray.normalized();
-  seen.ball = hit.triangle == kNone;
+  const bool cloud = hit.triangle == kNone && hit.ball < cloud_normals_.size();
+  seen.ball = hit.triangle == kNone && !cloud;
   const float side = hit.normal.dot(ray) > 0 ? -1.0F : 1.0F;
-  seen.back = !seen.ball && side < 0;
+  seen.back = hit.triangle != kNone && side < 0;
   seen.facet = side * hit.normal;
-  const Vec3 normal = side * shading_normal(hit);
+  Vec3 normal = side * shading_normal(hit);
+  if (cloud && normal.dot(ray) > 0) normal = -normal;  // points do not tell their side
   // Near the outline an averaged normal can point away although its facet is seen.
   const float away = std::min(0.0F, normal.dot(seen.to_eye));
   seen.normal = (normal - away * seen.to_eye).normalized();
+  if (field_ != nullptr && hit.triangle != kNone) seen.paint = colour_of(value_at(hit), *field_);
   return sight;
 }
 
+double Painter::value_at(const Hit& hit) const {
+  const auto& vertices = display_.triangles[hit.triangle].vertices;
+  double value = 0;
+  for (int k = 0; k < 3; ++k) {
+    value +=
+        static_cast<double>(hit.weights[k]) * field_->values[vertices[static_cast<std::size_t>(k)]];
+  }
+  return value;
+}
+
 Vec3 Painter::shading_normal(const Hit& hit) const {
-  if (hit.triangle == kNone) return hit.normal;
+  if (hit.triangle == kNone) {
+    const bool tilted = hit.ball < cloud_normals_.size() && !cloud_normals_[hit.ball].isZero();
+    return tilted ? cloud_normals_[hit.ball] : hit.normal;
+  }
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
     const auto& corners = display_.triangles[hit.triangle].corners;
@@ -152,6 +184,7 @@ bool Painter::is_plain(const Raster<std::optional<Sight>>& first, int x, int y) 
       const float lift = std::abs(a.facet.dot(b.position - a.position));
       plain = plain && a.ball == b.ball && a.back == b.back &&
               a.normal.dot(b.normal) > kAlikeCosine &&
+              (a.paint - b.paint).abs().maxCoeff() < kAlikePaint &&
               lift < kAlikePixels * camera_.pixel_size(a.position);
     }
   });
@@ -214,7 +247,7 @@ Light Painter::shade(const Sight& sight, const Vec2& place, float spacing) const
   Light light = style_(sight.place, camera_);
   if (lines_ && sight.triangle != kNone) {
     const Triangle& triangle = display_.triangles[sight.triangle];
-    const float line = kLineStrength * lines_->coverage(triangle, place, spacing);
+    const float line = line_strength_ * lines_->coverage(triangle, place, spacing);
     light.direct += line * (kLine - light.direct);
     light.sky *= 1 - line;
   }
@@ -223,8 +256,7 @@ Light Painter::shade(const Sight& sight, const Vec2& place, float spacing) const
 
 // The colour of a pixel from the light that it saw, over the background.
 Colour Painter::develop(const Raster<Pixel>& band, int x, int y) const {
-  const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(height_);
-  const Colour background = kTop + (kBottom - kTop) * down;
+  const Colour background = backdrop(y, height_);
   const Pixel& pixel = band.at(x, y);
   if (pixel.covered == 0) return background;
   const float open = smoothed_openness(band, x, y, kThickness * camera_.unit_side());

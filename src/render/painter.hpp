@@ -14,9 +14,10 @@ namespace surpass::picture {
 
 class Painter {
  public:
-  /// Keeps references to the scene's parts. `points` are the mesh's in the unit frame.
+  /// Keeps references to the scene's parts. `points` are the mesh's in the unit frame. The scene's
+  /// first balls are points of a cloud with these normals, the others marks.
   Painter(const DisplayMesh& display, std::span<const Vec3> points, const Scene& scene,
-          const Camera& camera, const RenderOptions& options);
+          std::span<const Vec3> cloud_normals, const Camera& camera, const RenderOptions& options);
 
   /// The picture into `image`, which has its size; false if it was cancelled.
   [[nodiscard]] bool paint(Image& image, const Context& context) const;
@@ -39,6 +40,7 @@ class Painter {
   void look(std::span<const Vec2> places, Sights sights) const;
   [[nodiscard]] Sight describe(const Hit& hit, const Vec3& ray) const;
   [[nodiscard]] Vec3 shading_normal(const Hit& hit) const;
+  [[nodiscard]] double value_at(const Hit& hit) const;
   [[nodiscard]] bool is_plain(const Raster<std::optional<Sight>>& first, int x, int y) const;
   [[nodiscard]] Pixel plain_pixel(const std::optional<Sight>& sight, int x, int y) const;
   [[nodiscard]] Pixel sample_pixel(int x, int y) const;
@@ -48,11 +50,14 @@ class Painter {
 
   const DisplayMesh& display_;
   const Scene& scene_;
+  std::span<const Vec3> cloud_normals_;
   const Camera& camera_;
   int width_;
   int height_;
-  int side_;   // of the square of samples in a pixel
-  bool fine_;  // the style has more detail than the surface
+  int side_;                  // of the square of samples in a pixel
+  bool fine_;                 // the style has more detail than the surface
+  const ColourField* field_;  // or null
+  float line_strength_;
   Style style_;
   SkyProbe sky_;
   std::optional<EdgeLines> lines_;

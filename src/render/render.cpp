@@ -7,12 +7,16 @@
 #include <fmt/format.h>
 
 #include "parallel/parallel.hpp"
+#include "render/cloud.hpp"
+#include "render/legend.hpp"
 #include "render/painter.hpp"
 
 namespace surpass {
 namespace {
 
+using picture::Ball;
 using picture::Camera;
+using picture::Cloud;
 using picture::DisplayMesh;
 using picture::Painter;
 using picture::Scene;
@@ -38,6 +42,9 @@ Result<void> check_options(const RenderOptions& options) {
   if (!std::isfinite(options.azimuth) || !std::isfinite(options.elevation)) {
     return refuse("the camera's azimuth and elevation must be finite angles in degrees");
   }
+  if (!(options.zoom >= 0.01 && options.zoom <= 1000)) {
+    return refuse(fmt::format("the camera's zoom can be 0.01 to 1000, not {}", options.zoom));
+  }
   if (options.up != 'x' && options.up != 'y' && options.up != 'z') {
     return refuse(fmt::format("the up axis is x, y or z, not '{}'", options.up));
   }
@@ -59,6 +66,19 @@ double ball_radius(const RenderOptions& options) {
   return std::clamp(0.18 / std::sqrt(static_cast<double>(options.points.size())), 0.003, 0.014);
 }
 
+Result<void> check_field(const Mesh& mesh, const RenderOptions& options) {
+  if (options.shading != Shading::field) return {};
+  if (!options.field || options.field->values.size() != mesh.points.size()) {
+    return fail(ErrorCode::mismatch,
+                fmt::format("a picture of a field needs a number for each of the {} vertices, but "
+                            "there are {}",
+                            mesh.points.size(), options.field ? options.field->values.size() : 0));
+  }
+  const double width = options.field->high - options.field->low;
+  if (width > 0 && std::isfinite(width)) return {};
+  return fail(ErrorCode::invalid_argument, "a field's scale must go from a number to a larger one");
+}
+
 Camera aim(const Mesh& mesh, const DisplayMesh& display, const RenderOptions& options) {
   std::vector<Point> fitted = options.frame;
   if (fitted.empty()) {
@@ -75,31 +95,64 @@ std::vector<Vec3> to_unit(const std::vector<Point>& points, const Camera& camera
   return unit;
 }
 
+// Points of a mesh without faces, then the marks.
+std::vector<Ball> balls_of(std::span<const Vec3> points, const Cloud& cloud,
+                           const RenderOptions& options, const Camera& camera) {
+  constexpr float kFilled = 0.42F;  // of the spacing: points that nearly touch hide what is behind
+  constexpr float kLeastPixels = 0.75F;  // no ball falls between the centres of pixels
+  constexpr float kLargest = 0.02F;      // of the box side, where points are few
+  std::vector<Ball> balls;
+  if (!cloud.normals.empty()) {
+    const float given = static_cast<float>(options.point_radius) * camera.unit_side();
+    const float least = kLeastPixels * camera.pixel_size(Vec3::Zero());
+    const float apart = cloud.spacing > 0 ? kFilled * cloud.spacing : camera.unit_side();
+    const float chosen = std::min(apart, kLargest * camera.unit_side());
+    const float radius = given > 0 ? given : std::max(chosen, least);
+    for (const Vec3& p : points) balls.push_back({p, radius});
+  }
+  const float radius = static_cast<float>(ball_radius(options)) * camera.unit_side();
+  for (const Point& p : options.points) balls.push_back({camera.to_unit(p), radius});
+  return balls;
+}
+
+// The strip with the scale is not part of what the camera fits the mesh into.
+RenderOptions without_legend(RenderOptions options, int legend) {
+  options.width -= legend;
+  return options;
+}
+
 }  // namespace
 
-Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Context& context) {
-  if (auto checked = check_options(options); !checked) return tl::make_unexpected(checked.error());
+Result<Image> render(const Mesh& mesh, const RenderOptions& given, const Context& context) {
+  if (auto checked = check_options(given); !checked) return tl::make_unexpected(checked.error());
+  if (auto checked = check_field(mesh, given); !checked) {
+    return tl::make_unexpected(checked.error());
+  }
+  const int legend = given.shading == Shading::field ? picture::legend_width(given) : 0;
+  const RenderOptions options = without_legend(given, legend);
   const auto display = picture::make_display_mesh(mesh, options, context);
   if (!display) return tl::make_unexpected(display.error());
   const Camera camera = aim(mesh, *display, options);
   const std::vector<Vec3> points = to_unit(mesh.points, camera);
-  const std::vector<Vec3> balls = to_unit(options.points, camera);
-  const float radius = static_cast<float>(ball_radius(options)) * camera.unit_side();
+  Cloud cloud;
+  if (display->triangles.empty()) cloud = picture::look_at_cloud(points, context);
+  const std::vector<Ball> balls = balls_of(points, cloud, options, camera);
   // While it runs, Embree limits TBB to the processor's threads; to ask for more would make TBB
   // complain on stderr.
   Context limited = context;
   limited.threads = std::min(parallel::thread_count(context), parallel::thread_count({}));
-  const auto scene = Scene::build(points, display->triangles, balls, radius, limited.threads);
+  const auto scene = Scene::build(points, display->triangles, balls, limited.threads);
   if (!scene) return tl::make_unexpected(scene.error());
 
-  const Painter painter(*display, points, *scene, camera, options);
+  const Painter painter(*display, points, *scene, cloud.normals, camera, options);
   Image image{options.width, options.height, {}};
   image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(options.width) *
                       static_cast<std::size_t>(options.height));
   if (!painter.paint(image, limited)) {
     return fail(ErrorCode::cancelled, "the picture was cancelled");
   }
-  return image;
+  if (legend == 0) return image;
+  return beside({image, picture::draw_legend(*options.field, legend, options.height)});
 }
 
 }  // namespace surpass

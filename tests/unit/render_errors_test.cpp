@@ -47,9 +47,6 @@ TEST(RenderErrors, OptionsThatCannotBeMeant) {
 
 TEST(RenderErrors, MeshesThatCannotBeDrawn) {
   EXPECT_EQ(refusal({}).code, ErrorCode::empty_mesh);
-  Mesh points_only;
-  points_only.points = {{0, 0, 0}, {1, 0, 0}};
-  EXPECT_EQ(refusal(points_only).code, ErrorCode::empty_mesh);
   Mesh hole = square(false);
   hole.hole_faces = {0};
   EXPECT_EQ(refusal(hole).code, ErrorCode::empty_mesh);

@@ -14,7 +14,7 @@ using samples::sphere;
 TEST(RenderReflection, ASphereShowsTheLampsWhereTheLawOfReflectionSays) {
   const Mesh mesh = sphere(256, 128);
   RenderOptions options = from_front(600, 600);
-  options.reflection_lines = true;
+  options.shading = Shading::reflection;
   const Image image = draw(mesh, options);
   const Camera camera(mesh.points, 0, options);
   const double radius = camera.to_unit({1, 0, 0}).norm();
@@ -49,7 +49,7 @@ TEST(RenderReflection, BallsStayMatte) {
   options.points = {{0, 0, 1.5}};
   options.point_radius = 0.1;
   const Image matte = draw(sphere(32, 16), options);
-  options.reflection_lines = true;
+  options.shading = Shading::reflection;
   const Image lines = draw(sphere(32, 16), options);
   EXPECT_EQ(samples::pixel(lines, 100, 100), samples::pixel(matte, 100, 100));
   EXPECT_NE(lines.pixels, matte.pixels);

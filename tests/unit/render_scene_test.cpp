@@ -12,15 +12,16 @@ using picture::Vec3;
 
 // The parts that a scene refers to.
 struct Parts {
-  explicit Parts(const Mesh& mesh, std::vector<Vec3> marks = {})
-      : triangles(picture::make_display_mesh(mesh, {})->triangles), balls(std::move(marks)) {
+  explicit Parts(const Mesh& mesh, const std::vector<Vec3>& marks = {})
+      : triangles(picture::make_display_mesh(mesh, {})->triangles) {
+    for (const Vec3& p : marks) balls.push_back({p, 0.1F});
     for (const Point& p : mesh.points) points.push_back(picture::to_vector(p).cast<float>());
   }
-  [[nodiscard]] Scene scene() const { return *Scene::build(points, triangles, balls, 0.1F, 1); }
+  [[nodiscard]] Scene scene() const { return *Scene::build(points, triangles, balls, 1); }
 
   std::vector<Vec3> points;
   std::vector<picture::Triangle> triangles;
-  std::vector<Vec3> balls;
+  std::vector<picture::Ball> balls;
 };
 
 TEST(RenderScene, RaysDoNotDependOnThoseBesideThem) {

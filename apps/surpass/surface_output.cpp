@@ -1,0 +1,35 @@
+#include "surface_output.hpp"
+
+#include "levels.hpp"
+
+namespace surpass::cli {
+
+void SurfaceOutput::define(Options& options) {
+  options
+      .add("--surface", path_,
+           "Also write the limit surface: the control mesh refined and moved to the limit")
+      .type_name("FILE")
+      .group("Surface");
+  add_levels(options, levels_, "Refinement steps of --surface, from the control mesh on")
+      .group("Surface");
+}
+
+Result<void> SurfaceOutput::check(const Mesh& control) const {
+  return wanted() ? check_levels(control, levels_) : Result<void>();
+}
+
+Result<std::optional<Mesh>> SurfaceOutput::make(const Mesh& control, const Rules& rules,
+                                                Session& session) const {
+  if (!wanted()) return std::optional<Mesh>();
+  Result<Mesh> refined =
+      session.timed("refine", [&] { return limit_mesh(control, rules, levels_, session.context); });
+  if (!refined) return tl::make_unexpected(refined.error());
+  return std::optional<Mesh>(std::move(*refined));
+}
+
+Result<void> SurfaceOutput::write(const std::optional<Mesh>& surface, const MeshOutput& output,
+                                  Session& session) const {
+  return surface ? output.write(*surface, path_, session) : Result<void>();
+}
+
+}  // namespace surpass::cli

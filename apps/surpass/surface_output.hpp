@@ -1,0 +1,39 @@
+// --surface FILE and --levels N: the limit surface beside a control mesh.
+#pragma once
+
+#include <surpass/mesh.hpp>
+#include <surpass/scheme.hpp>
+
+#include <optional>
+#include <string>
+
+#include "mesh_output.hpp"
+#include "options.hpp"
+#include "session.hpp"
+
+namespace surpass::cli {
+
+class SurfaceOutput {
+ public:
+  void define(Options& options);
+
+  [[nodiscard]] bool wanted() const { return !path_.empty(); }
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// Before the work: fails where the surface of a control mesh like this one would be too large.
+  [[nodiscard]] Result<void> check(const Mesh& control) const;
+
+  /// The surface, or nothing where none is wanted.
+  [[nodiscard]] Result<std::optional<Mesh>> make(const Mesh& control, const Rules& rules,
+                                                 Session& session) const;
+
+  /// Writes what `make` made, if it made something.
+  [[nodiscard]] Result<void> write(const std::optional<Mesh>& surface, const MeshOutput& output,
+                                   Session& session) const;
+
+ private:
+  std::string path_;
+  int levels_ = 3;
+};
+
+}  // namespace surpass::cli
