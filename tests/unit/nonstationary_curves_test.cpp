@@ -152,7 +152,7 @@ TEST(NonstationaryCurves, AreRoundOnRegularPolygons) {
 }
 
 TEST(NonstationaryCurves, NormalsAreThoseThatFacesTendTo) {
-  for (const Index faces : {1, 2, 3, 4, 5}) {
+  for (const Index faces : {1U, 2U, 3U, 4U, 5U}) {
     // Vertex 0 has so many faces on the boundary.
     Mesh mesh;
     mesh.points = {{0, 0, 0}};

@@ -98,7 +98,7 @@ TEST(NonstationarySchemes, UniformInterpolatesOneValence) {
 
 // The paper's Remark 3.
 TEST(NonstationaryExponential, CannotInterpolate) {
-  for (const Index valence : {3, 4, 6, 20}) {
+  for (const Index valence : {3U, 4U, 6U, 20U}) {
     double smallest = 1;
     for (double vertex = -0.999999; vertex < 3; vertex += 0.01) {
       for (double edge = -0.999999; edge < 3; edge += 0.1) {
@@ -179,7 +179,8 @@ TEST(NonstationaryQuadratic, ReproducesQuadraticsOnTheLattice) {
   for (const int levels : {1, 3}) {
     const auto surface = made(mesh, {.rule = NonstationaryRule::quadratic}, levels);
     std::size_t compared = 0;
-    for (const Point& p : surface.limit_positions().value()) {
+    const auto limits = surface.limit_positions().value();
+    for (const Point& p : limits) {
       if (std::hypot(p[0], p[1]) > 2) continue;
       EXPECT_NEAR(p[2], height(p[0], p[1]), 4e-15);
       ++compared;

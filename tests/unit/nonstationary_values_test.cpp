@@ -54,7 +54,7 @@ TEST(NonstationaryParameters, SolveForTheirTarget) {
   for (const double shape : {-3.5, -1.5, 0.0, 1.9}) {
     for (const double along : {-2.0, -0.5, 0.0, 0.01, 0.9 * (0.5 + shape / 8)}) {
       for (const int steps : {0, 1, 2, 5, 40}) {
-        for (const Index valence : {3, 5, 11}) {
+        for (const Index valence : {3U, 5U, 11U}) {
           const NonstationaryOptions options{.shape = shape, .steps = steps};
           const double parameter = solved(valence, options, along);
           EXPECT_NEAR(centroid_share(parameter, valence, options), along, 4e-15);
@@ -66,7 +66,7 @@ TEST(NonstationaryParameters, SolveForTheirTarget) {
 
 TEST(NonstationaryParameters, LieInTheProvenBracket) {
   for (const double rate : {4.5, 8.0, 16.0, std::numeric_limits<double>::infinity()}) {
-    for (const Index valence : {3, 4, 6, 50}) {
+    for (const Index valence : {3U, 4U, 6U, 50U}) {
       for (double shape = -3.999; shape < 4; shape += 0.05) {
         const NonstationaryOptions options{
             .shape = shape, .weights = LoopWeights::classic, .rate = rate};
