@@ -69,9 +69,9 @@ def write_off(path, points, faces):
 def read_off(path):
     words = path.read_text().split()
     n, m = int(words[1]), int(words[2])
-    at = 4
-    points = [tuple(float(x) for x in words[at + 3 * i:at + 3 * i + 3]) for i in range(n)]
-    at += 3 * n
+    at, width = 4, 6 if words[0] == "NOFF" else 3  # with normals
+    points = [tuple(float(x) for x in words[at + width * i:at + width * i + 3]) for i in range(n)]
+    at += width * n
     return points, [tuple(int(i) for i in words[at + 4 * f + 1:at + 4 * f + 4]) for f in range(m)]
 
 

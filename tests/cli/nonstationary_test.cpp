@@ -108,8 +108,8 @@ TEST_F(NonstationaryCommand, BadTargetsAreRefusedWithTheirPlace) {
 
 TEST_F(NonstationaryCommand, AutoFindsTheLeastBending) {
   const std::string mesh = data("octahedron.obj");
-  const json report =
-      run({"subdivide", mesh, "-o", folder_ / "a.ply", "--levels", "3", "--shape", "auto"});
+  const json report = run(
+      {"subdivide", mesh, "-o", folder_ / "a.ply", "--levels", "3", "--limit", "--shape", "auto"});
   const double shape = report["nonstationary"]["shape"];
   const double best = report["nonstationary"]["bending"];
   const auto bending = [&](double at) {
