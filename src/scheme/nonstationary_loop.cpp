@@ -79,7 +79,8 @@ Result<void> NonstationaryLoop::Impl::refine(const Context& context) {
   if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while subdividing");
   const auto around = neighbourhood();
   if (!around) return tl::make_unexpected(around.error());
-  const auto& [topology, sharpness] = *around;
+  const Topology& topology = around->topology;
+  const Sharpness& sharpness = around->sharpness;
   Steps steps;
   auto refined = steps.take(mesh, context, [&](RowSink& sink) {
     return nonstationary::refinement(state, mesh, topology, sharpness, context, sink);
