@@ -43,6 +43,7 @@ papers: need-papers build/release/build.ninja  ## repeat the papers' figures int
 	@python3 tools/iterations.py build/release/surpass "$(DATA)" docs/papers/iterations.md
 	@python3 tools/reconstruction.py build/release/surpass "$(DATA)" docs/papers
 	@python3 tools/similarity.py build/release/surpass "$(DATA)" docs/papers
+	@python3 tools/nonstationary.py build/release/surpass "$(DATA)" docs/papers
 	@python3 tools/compare_methods.py build/release/surpass "$(DATA)" docs
 
 format: need-format  ## rewrite the sources in the project's format

@@ -5,6 +5,7 @@
 #include "evaluator.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
+#include "nonstationary.hpp"
 #include "rules_option.hpp"
 #include "solver_options.hpp"
 
@@ -25,7 +26,8 @@ class Check : public Command {
         .group("Input");
     add_from(options, from_, "Format of the input that is '-'");
     given_mending_.define(options);
-    rules_.define(options);
+    rules_.define(options, true);
+    nonstationary_.define(options);
     add_tolerance(options, tolerance_);
     add_oracle(options, oracle_);
     options.examples(
@@ -33,6 +35,10 @@ class Check : public Command {
         "Control meshes of --method similarity and fair have the given vertices first; a comment\n"
         "in the file (refined=1) tells so.\n"
         "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n"
+        "Under nonstationary-loop CONTROL is the given mesh itself, and the surface that it makes\n"
+        "is evaluated; or it is a surface that subdivide or interpolate wrote, whose first "
+        "vertices\n"
+        "are compared.\n"
         "Exit code 0 if the error is within the tolerance, else 4.\n\n"
         "Examples:\n"
         "  surpass check control.obj --against given.obj\n"
@@ -40,7 +46,10 @@ class Check : public Command {
   }
 
   Result<void> run(Session& session) override {
-    const auto paths = check_report_path(session, {control_path_, given_path_});
+    if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
+    std::vector<std::string> inputs = nonstationary_.inputs();
+    inputs.insert(inputs.end(), {control_path_, given_path_});
+    const auto paths = check_report_path(session, inputs);
     if (!paths) return paths;
     const Result<LoadedMesh> control = load(control_path_, session);
     if (!control) return tl::make_unexpected(control.error());
@@ -54,6 +63,7 @@ class Check : public Command {
     }
     const Rules rules = rules_.choose(control->mesh, session);
     if (const auto possible = check_oracle(oracle_, rules); !possible) return possible;
+    if (rules_.nonstationary()) return judge_nonstationary(control->mesh, given->mesh, session);
     if (const auto same = check_counts(control->mesh, given->mesh); !same) return same;
     return judge(control->mesh, given->mesh.points, rules, session);
   }
@@ -75,12 +85,9 @@ class Check : public Command {
 
   Result<void> judge(const Mesh& control, std::span<const Point> given, const Rules& rules,
                      Session& session) const {
-    const double side = bounding_box(given).side();
-    const double tolerance = floored_tolerance(tolerance_, flat(given), side > 0 ? side : 1);
     const Result<Certificate> own =
         session.timed("verify", [&] { return certify(control, given, rules, session.context); });
     if (!own) return tl::make_unexpected(own.error());
-    session.report["tolerance"] = tolerance;
     session.report["error"] = certificate_json(*own);
     std::string text = line(*own);
     double worst = own->max;
@@ -93,18 +100,50 @@ class Check : public Command {
       text += line(*oracle);
       worst = std::max(worst, oracle->max);
     }
+    return conclude(worst, text, given, rules, session);
+  }
+
+  /// A surface that was written has the given vertices first; else the given mesh is what makes it,
+  /// and its limit is taken from its first refinement.
+  Result<void> judge_nonstationary(const Mesh& control, const Mesh& given, Session& session) const {
+    if (oracle_) {
+      return fail(ErrorCode::invalid_argument,
+                  "OpenSubdiv has no nonstationary-loop; leave out --oracle");
+    }
+    const std::size_t n = given.points.size();
+    if (control.points.size() < n) return check_counts(control, given);
+    const auto surface = nonstationary_.create(given, rules_, 0, session);
+    if (!surface) return tl::make_unexpected(surface.error());
+    const auto found = session.timed("verify", [&]() -> Result<std::vector<Point>> {
+      if (control.points.size() > n) return control.points;
+      auto refined = nonstationary_.refined(control, rules_, 0, 1, session);
+      if (!refined) return tl::make_unexpected(refined.error());
+      return refined->limit_positions(session.context);
+    });
+    if (!found) return tl::make_unexpected(found.error());
+    const auto own = compare_points(std::span(*found).first(n), surface->aims(), "surpass");
+    if (!own) return tl::make_unexpected(own.error());
+    session.report["error"] = certificate_json(*own);
+    return conclude(own->max, line(*own), given.points, {Scheme::loop}, session);
+  }
+
+  Result<void> conclude(double worst, const std::string& text, std::span<const Point> given,
+                        const Rules& rules, Session& session) const {
+    const double side = bounding_box(given).side();
+    const double tolerance = floored_tolerance(tolerance_, flat(given), side > 0 ? side : 1);
     const bool within = worst <= tolerance;
+    session.report["tolerance"] = tolerance;
     session.report["converged"] = within;
     if (const auto printed = session.print_result(text); !printed) return printed;
     if (within) return {};
     constexpr double kSinglePrecision = 1e-6;
     const char* advice =
         worst > kSinglePrecision ? "" : "; if a file holds 32-bit numbers, try --tolerance 1e-6";
-    return fail(
-        ErrorCode::not_converged,
-        fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
-                    "than the tolerance {:.3g} (rules: {}, {}){}",
-                    worst, tolerance, name_of(rules.scheme), name_of(rules.boundary), advice));
+    return fail(ErrorCode::not_converged,
+                fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
+                            "than the tolerance {:.3g} (rules: {}, {}){}",
+                            worst, tolerance, session.report["scheme"].get<std::string>(),
+                            name_of(rules.boundary), advice));
   }
 
   static std::string line(const Certificate& c) {
@@ -117,6 +156,7 @@ class Check : public Command {
   Format from_ = Format::automatic;
   Mending given_mending_;
   RulesOption rules_;
+  Nonstationary nonstationary_;
   double tolerance_ = InterpolateOptions{}.tolerance;
   bool oracle_ = false;
 };

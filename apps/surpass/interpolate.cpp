@@ -12,8 +12,10 @@
 
 #include "command.hpp"
 #include "evaluator.hpp"
+#include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
+#include "nonstationary.hpp"
 #include "rules_option.hpp"
 #include "similar.hpp"
 #include "solve_report.hpp"
@@ -42,6 +44,8 @@ class Interpolate : public Command {
                                      std::span<const Point> given) const;
   [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
   Result<void> write(const Mesh& control, Session& session) const;
+  [[nodiscard]] Result<void> check_nonstationary() const;
+  Result<void> run_nonstationary(const Mesh& given, Session& session);
 
   MeshInput input_;
   MeshOutput output_;
@@ -49,6 +53,7 @@ class Interpolate : public Command {
   Method method_ = Method::progressive;
   InterpolateOptions options_;
   Similar similar_;
+  Nonstationary nonstationary_;
   std::optional<Interpolator> solver_;  ///< of the progressive method
   std::string only_path_;
   std::optional<std::vector<Index>> certified_;  ///< all vertices, if there is no list
@@ -60,8 +65,8 @@ class Interpolate : public Command {
 void Interpolate::define(Options& options) {
   input_.define(options, "GIVEN", "The mesh whose vertices the surface shall pass through");
   output_.define(options, "-o,--output", "The control mesh");
-  rules_.define(options);
-  surface_.define(options);
+  rules_.define(options, true);
+  surface_.define(options, ", and of nonstationary-loop");
   options
       .choice("--method", method_, {Method::progressive, Method::similarity, Method::fair},
               "progressive: the only control mesh of the given topology, where there is one; "
@@ -109,7 +114,10 @@ void Interpolate::define(Options& options) {
       .group("Output");
   add_oracle(options, oracle_);
   similar_.define(options);
+  nonstationary_.define(options);
   options.examples(
+      "Under --scheme nonstationary-loop there is no control mesh but the given one, so -o is the\n"
+      "surface: the given mesh refined --levels times and moved to the limit.\n"
       "If the tolerance is not reached, no mesh is written and the exit code is 4; the report is\n"
       "written either way.\n\n"
       "Examples:\n"
@@ -120,6 +128,7 @@ void Interpolate::define(Options& options) {
       "      --report run.json\n"
       "  surpass interpolate cube.obj -o control.obj --method similarity\n"
       "  surpass interpolate scan.ply -o control.ply --method fair --membrane 0.1\n"
+      "  surpass interpolate given.obj -o surface.ply --scheme nonstationary-loop --levels 4\n"
       "  cat given.off | surpass interpolate - -o - > control.off\n");
 }
 
@@ -127,6 +136,7 @@ Result<void> Interpolate::run(Session& session) {
   if (const auto checked = check_method(); !checked) return checked;
   std::vector<std::string> inputs = similar_.inputs();
   inputs.insert(inputs.begin(), input_.path());
+  for (const std::string& path : nonstationary_.inputs()) inputs.push_back(path);
   if (!only_path_.empty()) inputs.push_back(only_path_);
   std::vector<std::string> surfaces;
   if (surface_.wanted()) surfaces.push_back(surface_.path());
@@ -137,6 +147,7 @@ Result<void> Interpolate::run(Session& session) {
   if (!loaded) return tl::make_unexpected(loaded.error());
   Mesh& mesh = loaded->mesh;
   output_.default_format(loaded->format);
+  if (rules_.nonstationary()) return run_nonstationary(mesh, session);
   if (const auto chosen = choose_options(mesh, session); !chosen) return chosen;
 
   const Index vertices = mesh.vertex_count();
@@ -184,6 +195,8 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
 
 /// Options that say nothing of the method are refused, not ignored.
 Result<void> Interpolate::check_method() {
+  if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
+  if (rules_.nonstationary()) return check_nonstationary();
   if (const auto checked = similar_.check(method_); !checked) return checked;
   if (method_ == Method::progressive) {
     if (options_.max_iterations > 0) return {};
@@ -203,6 +216,76 @@ Result<void> Interpolate::check_method() {
   if (wrong == nullptr) return {};
   return fail(ErrorCode::invalid_argument,
               fmt::format("{} is for --method progressive, not for {}", wrong, name_of(method_)));
+}
+
+Result<void> Interpolate::check_nonstationary() const {
+  const char* wrong = method_ != Method::progressive         ? "--method"
+                      : surface_.wanted()                    ? "--surface"
+                      : oracle_                              ? "--oracle"
+                      : options_.direct                      ? "--direct"
+                      : options_.full_history                ? "--history"
+                      : !only_path_.empty()                  ? "--only"
+                      : !options_.skip_components.empty()    ? "--skip-component"
+                      : options_.solver != Solver::automatic ? "--solver"
+                                                             : nullptr;
+  if (wrong != nullptr) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("{} is for schemes that need another control mesh; under {} the surface "
+                    "of the given mesh interpolates by itself, and -o is that surface",
+                    wrong, kNonstationaryLoop));
+  }
+  return similar_.check(method_);
+}
+
+/// The given mesh is the control mesh: what is written is its surface.
+Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session) {
+  session.report["method"] = "nonstationary";
+  session.report["levels"] = surface_.levels();
+  if (const auto checked = check_levels(given, surface_.levels()); !checked) return checked;
+  const auto made = nonstationary_.refined(given, rules_, 0, surface_.levels(), session);
+  if (!made) return tl::make_unexpected(made.error());
+  Result<Mesh> surface = session.timed("refine", [&] { return made->limit_mesh(session.context); });
+  if (!surface) return tl::make_unexpected(surface.error());
+  forget_rules(*surface);
+
+  const std::size_t n = given.points.size();
+  const auto verify = [&](std::span<const Point> points) {
+    return session.timed("verify",
+                         [&] { return compare_points(points.first(n), made->aims(), "surpass"); });
+  };
+  const Result<Certificate> exact = verify(surface->points);
+  if (!exact) return tl::make_unexpected(exact.error());
+  const double side = bounding_box(given.points).side();
+  const double tolerance =
+      floored_tolerance(options_.tolerance, flat(given.points), side > 0 ? side : 1);
+  const bool reached = exact->max <= tolerance;
+  session.report["tolerance"] = tolerance;
+  session.report["converged"] = reached;
+  session.report["error"] = {{"max", exact->max}, {"mean", exact->mean}};
+  std::string stored_error;
+  if (output_.rounds()) {
+    const Result<Certificate> stored = verify(output_.stored(surface->points));
+    if (!stored) return tl::make_unexpected(stored.error());
+    session.report["error_stored"] = certificate_json(*stored);
+    stored_error = fmt::format("; {:.3g} as stored", stored->max);
+  }
+  session.console.note(
+      "there is no other control mesh than the given one; what is written is the surface");
+  session.console.say(fmt::format("{}: {} vertices, {}, shape parameter {:.6g}", input_.path(), n,
+                                  kNonstationaryLoop, made->shape()));
+  session.console.say(
+      fmt::format("error {:.3g} of the box side (mean {:.3g}){}; {} faces, {:.3g} s", exact->max,
+                  exact->mean, stored_error, surface->face_count(), session.seconds()));
+  if (reached || keep_best_) {
+    if (const auto written = output_.write(*surface, session); !written) return written;
+  }
+  if (reached) return {};
+  return fail(ErrorCode::not_converged,
+              fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
+                          "than the tolerance {:.3g}; rules that interpolate are those without "
+                          "--uniform, --rule mean",
+                          exact->max, tolerance));
 }
 
 Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {

@@ -10,6 +10,7 @@
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
+#include "nonstationary.hpp"
 #include "rules_option.hpp"
 
 namespace surpass::cli {
@@ -32,7 +33,8 @@ class Quality : public Command {
              "between its normals and those of each MESH are measured, too")
         .type_name("MESH2")
         .group("Input");
-    rules_.define(options);
+    rules_.define(options, true);
+    nonstationary_.define(options);
     levels_option_ =
         options
             .add("--levels", options_.levels,
@@ -67,7 +69,15 @@ class Quality : public Command {
   }
 
   Result<void> run(Session& session) override {
+    if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
+    if (rules_.nonstationary() && !reference_path_.empty()) {
+      return fail(
+          ErrorCode::invalid_argument,
+          "--reference compares surfaces of one scheme that has normals without parameters; "
+          "leave it out for nonstationary-loop");
+    }
     std::vector<std::string> inputs = paths_;
+    for (const std::string& path : nonstationary_.inputs()) inputs.push_back(path);
     if (!reference_path_.empty()) inputs.push_back(reference_path_);
     if (const auto checked = check_report_path(session, inputs); !checked) return checked;
     std::vector<Mesh> meshes;
@@ -94,9 +104,12 @@ class Quality : public Command {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       FairnessOptions options = options_;
       options.levels = (*levels)[i];
-      auto measured = session.timed("measure", [&] {
-        return measure(paths_[i], meshes[i], reference, *rules, options, session.context);
-      });
+      auto measured =
+          rules_.nonstationary()
+              ? measure_nonstationary(paths_[i], meshes[i], options, session)
+              : session.timed("measure", [&] {
+                  return measure(paths_[i], meshes[i], reference, *rules, options, session.context);
+                });
       if (!measured) {
         // Which of several meshes it was is not in the sentence.
         measured.error().place.file = paths_[i];
@@ -168,6 +181,17 @@ class Quality : public Command {
     return surface;
   }
 
+  Result<MeasuredSurface> measure_nonstationary(const std::string& path, const Mesh& mesh,
+                                                const FairnessOptions& options,
+                                                Session& session) const {
+    const auto scheme = nonstationary_.choose(mesh, rules_, 0, session);
+    if (!scheme) return tl::make_unexpected(scheme.error());
+    const auto found =
+        session.timed("measure", [&] { return fairness(mesh, *scheme, options, session.context); });
+    if (!found) return tl::make_unexpected(found.error());
+    return MeasuredSurface{path, *found};
+  }
+
   static void note_other_patches(const std::vector<MeasuredSurface>& surfaces, Session& session) {
     const auto patches = [](const MeasuredSurface& s) { return s.fairness.coverage.patches; };
     for (const MeasuredSurface& s : surfaces) {
@@ -183,6 +207,7 @@ class Quality : public Command {
   std::string reference_path_;
   Format from_ = Format::automatic;
   RulesOption rules_;
+  Nonstationary nonstationary_;
   Option levels_option_;
   FairnessOptions options_;
 };

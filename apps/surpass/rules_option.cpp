@@ -59,12 +59,21 @@ std::optional<Value> annotated(const Mesh& mesh, const char* key,
 
 }  // namespace
 
-void RulesOption::define(Options& options) {
+void RulesOption::define(Options& options, bool nonstationary) {
+  std::vector<std::string> schemes;
+  for (const Scheme scheme : all_schemes()) schemes.emplace_back(name_of(scheme));
+  if (nonstationary) schemes.emplace_back(kNonstationaryLoop);
   options
-      .choice(
-          "--scheme", scheme_, all_schemes(),
-          "Subdivision scheme; by default the one that the file records, else loop for triangles "
-          "and catmull-clark for other faces")
+      .choice_of_words(
+          "--scheme", schemes,
+          [this](std::size_t i) {
+            const std::vector<Scheme> known = all_schemes();
+            nonstationary_ = i == known.size();
+            scheme_ = nonstationary_ ? Scheme::loop : known[i];
+          },
+          std::string("Subdivision scheme; by default the one that the file records, else loop for "
+                      "triangles and catmull-clark for other faces") +
+              (nonstationary ? "; nonstationary-loop interpolates by itself" : ""))
       .group("Surface");
   options
       .choice(
@@ -76,12 +85,23 @@ void RulesOption::define(Options& options) {
           "of the progressive-interpolation paper; interior: the interior mask everywhere, "
           "limit positions only; the last two are for loop")
       .group("Surface");
+  std::vector<std::string> weights = {name_of(Weights::averaging), name_of(Weights::cosine)};
+  if (nonstationary) {
+    weights.emplace_back(name_of(LoopWeights::warren));
+    weights.emplace_back(name_of(LoopWeights::classic));
+  }
   options
-      .choice(
-          "--weights", weights_, {Weights::averaging, Weights::cosine},
-          "Weights of doo-sabin in faces without four corners: averaging (Catmull and Clark 1978, "
-          "the reconstruction paper's) or cosine (Doo and Sabin 1978); by default what the file "
-          "records, else averaging")
+      .choice_of_words(
+          "--weights", weights,
+          [this](std::size_t i) {
+            if (i < 2) weights_ = i == 0 ? Weights::averaging : Weights::cosine;
+            if (i >= 2) loop_weights_ = i == 2 ? LoopWeights::warren : LoopWeights::classic;
+          },
+          std::string("Weights of doo-sabin in faces without four corners: averaging (Catmull and "
+                      "Clark 1978, the reconstruction paper's) or cosine (Doo and Sabin 1978); by "
+                      "default what the file records, else averaging") +
+              (nonstationary ? ". Of nonstationary-loop: warren (default) or classic (Loop 1987)"
+                             : ""))
       .group("Surface");
 }
 
@@ -102,7 +122,7 @@ Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
     rules.weights = *found;
   }
   if (weights_) rules.weights = *weights_;
-  session.report["scheme"] = name_of(rules.scheme);
+  session.report["scheme"] = nonstationary_ ? kNonstationaryLoop : name_of(rules.scheme);
   session.report["boundary"] = name_of(rules.boundary);
   if (rules.weights != Weights{}) session.report["weights"] = name_of(rules.weights);
   return rules;
@@ -119,6 +139,13 @@ void record(const Rules& rules, Mesh& mesh) {
   if (rules.boundary == Boundary::edge_and_corner) {
     mesh.tags.push_back(fmt::format("t {} 1/0/0 1", kTag));
   }
+}
+
+void forget_rules(Mesh& mesh) {
+  std::erase_if(mesh.annotations, [](const auto& a) {
+    return a.first == "scheme" || a.first == "boundary" || a.first == "weights" ||
+           a.first == "refined";
+  });
 }
 
 }  // namespace surpass::cli

@@ -5,6 +5,7 @@
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
+#include "nonstationary.hpp"
 #include "rules_option.hpp"
 
 namespace surpass::cli {
@@ -16,22 +17,29 @@ class Subdivide : public Command {
   void define(Options& options) override {
     input_.define(options, "MESH", "The control mesh to refine");
     output_.define(options, "-o,--output", "The refined mesh");
-    rules_.define(options);
+    rules_.define(options, true);
     add_levels(options, levels_, "Refinement steps").required().group("Surface");
     options
         .flag("--limit", limit_,
               "Move the result onto the limit surface, with its normals where the format has "
               "a place for them")
         .group("Surface");
+    nonstationary_.define(options);
     options.examples(
-        "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n\n"
+        "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n"
+        "Under nonstationary-loop the parameters are solved so that the mesh after the last level\n"
+        "contains the vertices of MESH, or with --limit the limit surface does.\n\n"
         "Examples:\n"
         "  surpass subdivide control.obj -o fine.ply --levels 3 --limit\n"
-        "  surpass subdivide cage.off -o step.off --levels 1 --boundary hoppe\n");
+        "  surpass subdivide cage.off -o step.off --levels 1 --boundary hoppe\n"
+        "  surpass subdivide given.obj -o smooth.ply --levels 5 --scheme nonstationary-loop\n");
   }
 
   Result<void> run(Session& session) override {
-    const auto prepared = output_.prepare(session, {input_.path()});
+    if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
+    std::vector<std::string> inputs = nonstationary_.inputs();
+    inputs.push_back(input_.path());
+    const auto prepared = output_.prepare(session, inputs);
     if (!prepared) return prepared;
     const Result<LoadedMesh> loaded = input_.load(session);
     if (!loaded) return tl::make_unexpected(loaded.error());
@@ -41,23 +49,43 @@ class Subdivide : public Command {
     session.report["limit"] = limit_;
     if (const auto checked = check_levels(loaded->mesh, levels_); !checked) return checked;
 
-    Result<Mesh> refined = session.timed("refine", [&] {
-      return limit_ ? limit_mesh(loaded->mesh, rules, levels_, session.context)
-                    : refine(loaded->mesh, rules, levels_, session.context);
-    });
+    Result<Mesh> refined = rules_.nonstationary() ? refine_nonstationary(loaded->mesh, session)
+                                                  : refine_stationary(loaded->mesh, rules, session);
     if (!refined) return tl::make_unexpected(refined.error());
-    if (!limit_) record(rules, *refined);
-    session.console.say(fmt::format(
-        "{} vertices, {} faces after {} {} of {}, {}{}", refined->vertex_count(),
-        refined->face_count(), levels_, levels_ == 1 ? "level" : "levels", name_of(rules.scheme),
-        name_of(rules.boundary), limit_ ? ", on the limit surface" : ""));
+    session.console.say(
+        fmt::format("{} vertices, {} faces after {} {} of {}, {}{}", refined->vertex_count(),
+                    refined->face_count(), levels_, levels_ == 1 ? "level" : "levels",
+                    session.report["scheme"].get<std::string>(), name_of(rules.boundary),
+                    limit_ ? ", on the limit surface" : ""));
     return output_.write(*refined, session);
   }
 
  private:
+  Result<Mesh> refine_stationary(const Mesh& mesh, const Rules& rules, Session& session) const {
+    Result<Mesh> refined = session.timed("refine", [&] {
+      return limit_ ? limit_mesh(mesh, rules, levels_, session.context)
+                    : refine(mesh, rules, levels_, session.context);
+    });
+    if (refined && !limit_) record(rules, *refined);
+    return refined;
+  }
+
+  Result<Mesh> refine_nonstationary(const Mesh& mesh, Session& session) const {
+    const auto surface =
+        nonstationary_.refined(mesh, rules_, limit_ ? 0 : levels_, levels_, session);
+    if (!surface) return tl::make_unexpected(surface.error());
+    Result<Mesh> refined =
+        limit_ ? session.timed("refine", [&] { return surface->limit_mesh(session.context); })
+               : surface->mesh();
+    // It is no control mesh: going on with another scheme would leave the vertices.
+    if (refined) forget_rules(*refined);
+    return refined;
+  }
+
   MeshInput input_;
   MeshOutput output_;
   RulesOption rules_;
+  Nonstationary nonstationary_;
   int levels_ = 0;
   bool limit_ = false;
 };

@@ -4,13 +4,13 @@
 
 namespace surpass::cli {
 
-void SurfaceOutput::define(Options& options) {
+void SurfaceOutput::define(Options& options, const std::string& and_of) {
   options
       .add("--surface", path_,
            "Also write the limit surface: the control mesh refined and moved to the limit")
       .type_name("FILE")
       .group("Surface");
-  add_levels(options, levels_, "Refinement steps of --surface, from the control mesh on")
+  add_levels(options, levels_, "Refinement steps of --surface, from the control mesh on" + and_of)
       .group("Surface");
 }
 

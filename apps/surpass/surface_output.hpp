@@ -15,10 +15,12 @@ namespace surpass::cli {
 
 class SurfaceOutput {
  public:
-  void define(Options& options);
+  /// `and_of` says what else the levels are for.
+  void define(Options& options, const std::string& and_of = "");
 
   [[nodiscard]] bool wanted() const { return !path_.empty(); }
   [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] int levels() const { return levels_; }
 
   /// Before the work: fails where the surface of a control mesh like this one would be too large.
   [[nodiscard]] Result<void> check(const Mesh& control) const;

@@ -3,6 +3,7 @@
 
 #include <surpass/context.hpp>
 #include <surpass/mesh.hpp>
+#include <surpass/nonstationary.hpp>
 #include <surpass/scheme.hpp>
 
 #include <cstddef>
@@ -100,6 +101,24 @@ struct NormalDeviation {
 [[nodiscard]] Result<Fairness> fairness(const Mesh& control, const Rules& rules,
                                         const FairnessOptions& options = {},
                                         const Context& context = {});
+
+/// The same of a non-stationary Loop surface.
+[[nodiscard]] Result<Fairness> fairness(const Mesh& control, const NonstationaryOptions& scheme,
+                                        const FairnessOptions& options = {},
+                                        const Context& context = {});
+
+/// The shape parameter with the least bending (the integral of k1^2 + k2^2), for the other options
+/// as they are: the best of nine in the allowed range, then golden sections around it, 21
+/// measurements in all, so that it is found to about 0.01; the energy may have other minima. Rules
+/// without a shape parameter: an error (invalid_argument). Else errors as `fairness`.
+struct FairestShape {
+  double shape = 0;
+  double bending = 0;
+  int levels = 0;  ///< refinements after which it was measured: 3, or fewer for large meshes
+};
+[[nodiscard]] Result<FairestShape> fairest_shape(const Mesh& control,
+                                                 const NonstationaryOptions& scheme,
+                                                 const Context& context = {});
 
 /// Compares with the limit surface of `reference`, whose faces must be those of `control`, or
 /// become those when one of them is refined more often than the other; `options.levels` are those

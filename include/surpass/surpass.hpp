@@ -8,6 +8,7 @@
 #include <surpass/interpolate.hpp>
 #include <surpass/io.hpp>
 #include <surpass/mesh.hpp>
+#include <surpass/nonstationary.hpp>
 #include <surpass/quality.hpp>
 #include <surpass/refiner.hpp>
 #include <surpass/repair.hpp>

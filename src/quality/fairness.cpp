@@ -6,6 +6,7 @@
 
 #include "quality/curvature_variation.hpp"
 #include "quality/sampled_surface.hpp"
+#include "scheme/nonstationary_samples.hpp"
 
 namespace surpass {
 namespace {
@@ -80,26 +81,45 @@ int level_difference(const Mesh& first, const Mesh& second) {
   return static_cast<int>(std::lround(std::log2(ratio) / 2));
 }
 
-Result<Fairness> fairness(const Mesh& control, const Rules& rules, const FairnessOptions& options,
+namespace {
+
+Result<Fairness> measured(const SampledSurface& surface, const FairnessOptions& options,
                           const Context& context) {
-  const int levels = options.levels == 0 ? fairness_levels(control) : options.levels;
-  const auto surface = sample_surface(control, rules, levels, options.rings, context);
-  if (!surface) return tl::make_unexpected(surface.error());
-  const auto part = measured_part(*surface, surface->usable, options.rings, context);
+  const auto part = measured_part(surface, surface.usable, options.rings, context);
   if (!part) return tl::make_unexpected(part.error());
   Fairness found;
-  found.levels = levels;
+  found.levels = surface.levels;
   found.coverage = part->coverage;
-  integrate_curvature(*surface, *part, context, found);
-  find_extremes(*surface, *part, found);
-  const CurvatureVariation variation = curvature_variation(*surface, *part, context);
+  integrate_curvature(surface, *part, context, found);
+  find_extremes(surface, *part, found);
+  const CurvatureVariation variation = curvature_variation(surface, *part, context);
   const double area = found.coverage.measured_area;
-  found.curvature_variation = variation.square / surface->unit / surface->unit;
+  found.curvature_variation = variation.square / surface.unit / surface.unit;
   found.curvature_variation_relative = found.curvature_variation * area;
   found.total_variation = variation.total;
   found.largest_curvature_relative = found.largest_curvature * std::sqrt(area);
   found.high_curvature_relative = found.high_curvature * std::sqrt(area);
   return found;
+}
+
+}  // namespace
+
+Result<Fairness> fairness(const Mesh& control, const Rules& rules, const FairnessOptions& options,
+                          const Context& context) {
+  const int levels = options.levels == 0 ? fairness_levels(control) : options.levels;
+  const auto surface = sample_surface(control, rules, levels, options.rings, context);
+  if (!surface) return tl::make_unexpected(surface.error());
+  return measured(*surface, options, context);
+}
+
+Result<Fairness> fairness(const Mesh& control, const NonstationaryOptions& scheme,
+                          const FairnessOptions& options, const Context& context) {
+  const int levels = options.levels == 0 ? fairness_levels(control) : options.levels;
+  const auto surface = sample_surface(
+      control, levels, options.rings, context,
+      [&](const Mesh& mesh) { return nonstationary_samples(mesh, scheme, levels, context); });
+  if (!surface) return tl::make_unexpected(surface.error());
+  return measured(*surface, options, context);
 }
 
 }  // namespace surpass

@@ -108,19 +108,26 @@ void find_curvature(SampledSurface& surface, int rings, const Context& context) 
 
 }  // namespace
 
-Result<SampledSurface> sample_surface(const Mesh& control, const Rules& rules, int levels,
-                                      int rings, const Context& context) {
+Result<SampledSurface> sample_surface(const Mesh& control, int levels, int rings,
+                                      const Context& context, const MakeSamples& make) {
   if (auto ok = check(control, levels, rings); !ok) return tl::make_unexpected(ok.error());
   SampledSurface surface;
   surface.levels = levels;
   const auto mesh = framed(control, surface);
   if (!mesh) return tl::make_unexpected(mesh.error());
-  auto samples = scheme_of(rules.scheme).limit_samples(*mesh, rules, levels, context);
+  auto samples = make(*mesh);
   if (!samples) return tl::make_unexpected(samples.error());
   surface.samples = std::move(*samples);
   if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while measuring");
   find_curvature(surface, rings, context);
   return surface;
+}
+
+Result<SampledSurface> sample_surface(const Mesh& control, const Rules& rules, int levels,
+                                      int rings, const Context& context) {
+  return sample_surface(control, levels, rings, context, [&](const Mesh& mesh) {
+    return scheme_of(rules.scheme).limit_samples(mesh, rules, levels, context);
+  });
 }
 
 Result<MeasuredPart> measured_part(const SampledSurface& surface,

@@ -3,6 +3,7 @@
 
 #include <surpass/fairness.hpp>
 
+#include <functional>
 #include <vector>
 
 #include "parallel/parallel.hpp"
@@ -26,7 +27,13 @@ struct SampledSurface {
   }
 };
 
+/// From the mesh in a box around the origin, of a side between 1 and 4.
+using MakeSamples = std::function<Result<LimitSamples>(const Mesh& framed)>;
+
 /// Errors as `fairness`, but for nothing to measure.
+[[nodiscard]] Result<SampledSurface> sample_surface(const Mesh& control, int levels, int rings,
+                                                    const Context& context,
+                                                    const MakeSamples& make);
 [[nodiscard]] Result<SampledSurface> sample_surface(const Mesh& control, const Rules& rules,
                                                     int levels, int rings, const Context& context);
 

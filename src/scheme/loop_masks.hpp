@@ -21,6 +21,11 @@ namespace surpass::loop {
 /// Weight of the center in the interior limit mask, equation (3) of the paper.
 [[nodiscard]] double beta(std::size_t n);
 
+/// The third vertex of the triangle of a half-edge.
+[[nodiscard]] inline Index across(const Topology& topology, Index h) {
+  return topology.tail(topology.previous(h));
+}
+
 /// A ring and, under the rule `hoppe`, which of its boundary vertices are regular (valence 4).
 struct LoopRing : Ring {
   Boundary boundary = Boundary::edge_and_corner;

@@ -1,18 +1,11 @@
 #include <algorithm>
-#include <iterator>
-
-#include <fmt/format.h>
 
 #include "scheme/loop.hpp"
 #include "scheme/loop_masks.hpp"
-#include "scheme/refine_attributes.hpp"
-#include "scheme/refined_faces.hpp"
+#include "scheme/quartered_triangles.hpp"
 
 namespace surpass::loop {
 namespace {
-
-// The third vertex of the triangle of a half-edge.
-Index across(const Topology& topology, Index h) { return topology.tail(topology.previous(h)); }
 
 // The weights of a plain vertex, by valence, so that no cosine is taken a million times.
 struct RefinedRow {
@@ -119,36 +112,13 @@ Result<Mesh> Loop::refinement(const Mesh& mesh, const Topology& topology, const 
   }
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
-  auto refined = mesh_of_equal_faces(std::uint64_t{4} * topology.face_count(), 3);
+  auto refined = quartered_triangles(mesh, topology, context);
   if (!refined) return refined;
   const Index n = topology.vertex_count();
   const RowMaker rows(topology, *sharpness, rules.boundary);
   make_rows(context, n + topology.edge_count(), sink, [&](Index i, RowTile& tile) {
     i < n ? rows.add_vertex(i, tile) : rows.add_edge(i - n, tile);
   });
-  const Index faces = topology.face_count();
-  parallel::for_ranges(context, faces, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      const auto h = static_cast<Index>(3 * f);
-      const Index middle[3] = {n + topology.edge(h), n + topology.edge(h + 1),
-                               n + topology.edge(h + 2)};
-      const Index child[12] = {
-          topology.tail(h), middle[0],
-          middle[2],  //
-          middle[0],        topology.tail(h + 1),
-          middle[1],        middle[2],
-          middle[1],        topology.tail(h + 2),
-          middle[0],        middle[1],
-          middle[2],
-      };
-      std::copy(std::begin(child), std::end(child),
-                refined->face_vertices.begin() + 12 * static_cast<std::ptrdiff_t>(f));
-    }
-  });
-  inherit_creases(mesh, topology, *refined);
-  inherit_face_attributes(
-      mesh, [](Index f) { return 4 * f; }, *refined);
-  refine_corner_channels_of_triangles(mesh, *refined);
   return refined;
 }
 

@@ -190,10 +190,8 @@ Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels, const C
   return refine(control, rules, levels, context, steps);
 }
 
-void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
-                   const Context& context, Steps& steps) {
+void add_limit_normals(Mesh& mesh, const std::vector<Point>& normals) {
   std::erase_if(mesh.channels, [](const Channel& c) { return c.name == "normal"; });
-  steps.move(mesh, rows, context);
   std::erase_if(mesh.corner_channels, [](const CornerChannel& c) { return c.name == "normal"; });
   const auto values = flat(normals);
   mesh.channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
@@ -201,6 +199,13 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
     return a.first == "scheme" || a.first == "boundary" || a.first == "weights" ||
            a.first == "refined";
   });
+}
+
+void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
+                   const Context& context, Steps& steps) {
+  std::erase_if(mesh.channels, [](const Channel& c) { return c.name == "normal"; });
+  steps.move(mesh, rows, context);
+  add_limit_normals(mesh, normals);
 }
 
 namespace {

@@ -106,4 +106,7 @@ Result<void> require_suitable(const SubdivisionScheme& scheme, const Topology& t
 void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
                    const Context& context, Steps& steps);
 
+/// The second half of it: puts the normals in, takes away what says that it is a control mesh.
+void add_limit_normals(Mesh& mesh, const std::vector<Point>& normals);
+
 }  // namespace surpass

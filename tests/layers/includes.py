@@ -20,7 +20,7 @@ MAY_INCLUDE = {
 PUBLIC_LAYER = {
     'result': 'parallel', 'context': 'parallel', 'version': 'parallel',
     'mesh': 'mesh', 'topology': 'mesh', 'repair': 'mesh',
-    'scheme': 'scheme', 'refiner': 'scheme', 'evaluate': 'scheme', 'interpolate': 'interpolate',
+    'scheme': 'scheme', 'nonstationary': 'scheme', 'refiner': 'scheme', 'evaluate': 'scheme', 'interpolate': 'interpolate',
     'similarity': 'interpolate', 'requirements': 'interpolate',
     'quality': 'quality', 'fairness': 'quality', 'io': 'io',
     'oracle': 'oracle', 'render': 'render', 'reconstruct': 'reconstruct',

@@ -1,0 +1,54 @@
+// The options of --scheme nonstationary-loop.
+#pragma once
+
+#include <surpass/nonstationary.hpp>
+
+#include <optional>
+#include <string>
+
+#include "options.hpp"
+#include "rules_option.hpp"
+#include "session.hpp"
+
+namespace surpass::cli {
+
+enum class ShapePreset { round, standard, flat };
+[[nodiscard]] const char* name_of(ShapePreset preset);
+
+class Nonstationary {
+ public:
+  void define(Options& options);
+
+  /// The files that are read besides the mesh.
+  [[nodiscard]] std::vector<std::string> inputs() const;
+
+  /// Fails if an option of these was given for another scheme, or two that contradict each other.
+  [[nodiscard]] Result<void> check(const RulesOption& rules) const;
+
+  /// Prepares the mesh: `steps` 0 solves for the limit. Searches for the shape if it is auto. What
+  /// is chosen goes into report["nonstationary"], what the user should know into notes.
+  [[nodiscard]] Result<NonstationaryLoop> create(const Mesh& mesh, const RulesOption& rules,
+                                                 int steps, Session& session) const;
+
+  /// The same refined `levels` times.
+  [[nodiscard]] Result<NonstationaryLoop> refined(const Mesh& mesh, const RulesOption& rules,
+                                                  int steps, int levels, Session& session) const;
+
+  /// What create() would take.
+  [[nodiscard]] Result<NonstationaryOptions> choose(const Mesh& mesh, const RulesOption& rules,
+                                                    int steps, Session& session) const;
+
+ private:
+  [[nodiscard]] Result<double> shape(const Mesh& mesh, const NonstationaryOptions& options,
+                                     Session& session) const;
+
+  std::string shape_;
+  std::optional<ShapePreset> preset_;
+  std::optional<NonstationaryRule> rule_;
+  std::optional<ParameterIteration> iteration_;
+  double uniform_ = 1;
+  Option uniform_option_;
+  std::string targets_path_;
+};
+
+}  // namespace surpass::cli
