@@ -224,13 +224,7 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common, c
   options_.open = open_.value_or(better_around ? OpenMeshes::dummy_ring : options_.open);
   auto solver = session.timed(
       "topology", [&] { return SimilarityInterpolator::create(given, options_, session.context); });
-  if (!solver) {
-    Error error = solver.error();
-    if (error.code == ErrorCode::unsuitable_for_scheme && options_.rules.scheme == Scheme::loop) {
-      error.message += "; --scheme catmull-clark takes triangles, too";
-    }
-    return tl::make_unexpected(error);
-  }
+  if (!solver) return tl::make_unexpected(solver.error());
   solver_ = std::move(*solver);
   return load_reference(given, session);
 }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "interpolate/cross_kernels.hpp"
+#include "interpolate/lane_points.hpp"
 #include "interpolate/patch_energy.hpp"
 
 namespace surpass {
@@ -37,27 +38,6 @@ RowLaw law_of(RowWeights weights, const CrossKind::Row& row, const Means& means)
       return {row.count, 1, kRegular * first};
   }
   return {row.count};
-}
-
-// The points of a group of patches side by side; lanes without a patch are 0, and so is then all
-// that is made of them.
-void gather(const Index* local, std::size_t columns, std::size_t lanes, const double* x,
-            LaneVectors* points) {
-  if (lanes < kLanes) std::fill_n(points, columns, LaneVectors{});
-  for (std::size_t l = 0; l < lanes; ++l) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      points[c].set(l, x + std::size_t{3} * local[l * columns + c]);
-    }
-  }
-}
-
-void scatter(const Index* local, std::size_t columns, std::size_t lanes, const LaneVectors* points,
-             double* y) {
-  for (std::size_t l = 0; l < lanes; ++l) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      points[c].add_to(l, y + std::size_t{3} * local[l * columns + c]);
-    }
-  }
 }
 
 class CrossProducts final : public PatchEnergy {
@@ -105,12 +85,12 @@ Means CrossProducts::means(const Context& context) const {
       context, Means{},
       [&](const PatchLayout::Chunk& chunk) {
         Means sums;
-        const auto reference = chunk.copy(3, reference_);
+        const auto reference = padded_points(chunk.points, reference_);
         std::vector<LaneVectors> points(most_columns_);
         std::vector<LaneNumbers> squares(most_rows_);
         layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
           const CrossKind& kind = kinds_[number];
-          gather(local, kind.columns, lanes, reference.data(), points.data());
+          gather_points(local, kind.columns, lanes, reference.data(), points.data());
           squares_of_patches(kind, points.data(), squares.data());
           for (std::size_t r = 0; r < kind.rows.size(); ++r) {
             const CrossKind::Row& row = kind.rows[r];
@@ -134,31 +114,35 @@ Means CrossProducts::means(const Context& context) const {
 void CrossProducts::product(const Context& context, std::size_t, std::span<const double> x,
                             std::span<double> y) const {
   layout_.add_up(context, 3, y, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto reference = chunk.copy(3, reference_);
-    const auto own = chunk.copy(3, x);
+    const auto reference = padded_points(chunk.points, reference_);
+    const auto own = padded_points(chunk.points, x);
+    std::vector<double> gradient(own.size());
     std::vector<LaneVectors> at_reference(most_columns_);
     std::vector<LaneVectors> at_x(most_columns_);
     std::vector<LaneVectors> sums(most_columns_);
     layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
       const CrossKind& kind = kinds_[number];
-      gather(local, kind.columns, lanes, reference.data(), at_reference.data());
-      gather(local, kind.columns, lanes, own.data(), at_x.data());
+      gather_points(local, kind.columns, lanes, reference.data(), at_reference.data());
+      gather_points(local, kind.columns, lanes, own.data(), at_x.data());
       gradient_of_patches(kind, scaled_laws_[number].data(), at_reference.data(), at_x.data(),
                           sums.data());
-      scatter(local, kind.columns, lanes, sums.data(), values.data());
+      scatter_points(local, kind.columns, lanes, sums.data(), gradient.data());
     });
+    for (std::size_t k = 0; k < chunk.points.size(); ++k) {
+      copy_numbers(&gradient[kPointStride * k], 3, &values[3 * k]);
+    }
   });
 }
 
 std::vector<double> CrossProducts::diagonal(const Context& context) const {
   std::vector<double> sum(std::size_t{6} * layout_.control_count());
   layout_.add_up(context, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto reference = chunk.copy(3, reference_);
+    const auto reference = padded_points(chunk.points, reference_);
     std::vector<LaneVectors> points(most_columns_);
     std::vector<LaneBlock> sums(most_columns_);
     layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
       const CrossKind& kind = kinds_[number];
-      gather(local, kind.columns, lanes, reference.data(), points.data());
+      gather_points(local, kind.columns, lanes, reference.data(), points.data());
       diagonal_of_patches(kind, laws_[number].data(), points.data(), sums.data());
       for (std::size_t l = 0; l < lanes; ++l) {
         for (std::size_t c = 0; c < kind.columns; ++c) {

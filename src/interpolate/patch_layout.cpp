@@ -1,11 +1,9 @@
 #include "interpolate/patch_layout.hpp"
 
-#include <numeric>
-
 namespace surpass {
 
-PatchLayout::PatchLayout(PatchRows rows, Index control_points)
-    : rows_(std::move(rows)), control_points_(control_points) {
+PatchLayout::PatchLayout(PatchRows rows, std::vector<Index> order, Index control_points)
+    : rows_(std::move(rows)), control_points_(control_points), order_(std::move(order)) {
   number_points();
   share_points();
 }
@@ -13,9 +11,8 @@ PatchLayout::PatchLayout(PatchRows rows, Index control_points)
 // The points of each chunk, in the order in which its patches meet them.
 void PatchLayout::number_points() {
   const std::size_t patches = rows_.patch_count();
-  order_.resize(patches);
-  std::iota(order_.begin(), order_.end(), Index{0});
   local_.resize(rows_.column_count());
+  points_.reserve(control_points_ + std::size_t{control_points_} / 3);  // about what grids need
   chunks_ = {0};
   std::vector<Index> number(control_points_, kNone);  // in the chunk at hand
   std::size_t at = 0;
@@ -25,6 +22,7 @@ void PatchLayout::number_points() {
                      order_.begin() + static_cast<std::ptrdiff_t>(last),
                      [&](Index a, Index b) { return rows_.kind_number(a) < rows_.kind_number(b); });
     const std::size_t begin = points_.size();
+    local_starts_.push_back(at);
     for (std::size_t i = first; i < last; ++i) {
       for (const Index v : rows_.columns(order_[i])) {
         if (number[v] == kNone) {
@@ -37,6 +35,7 @@ void PatchLayout::number_points() {
     for (std::size_t k = begin; k < points_.size(); ++k) number[points_[k]] = kNone;
     chunks_.push_back(points_.size());
   }
+  local_starts_.push_back(at);
 }
 
 // Points that one chunk alone needs come first in it: their sums need no place beside.
@@ -71,9 +70,9 @@ void PatchLayout::share_points() {
     }
     std::copy(sorted.begin(), sorted.end(), points.begin());
     shared_.push_back(of_shared.size());
-    const std::size_t last = std::min(rows_.patch_count(), (c + 1) * kPatches);
-    const std::size_t begin = rows_.columns_start(c * kPatches);
-    for (std::size_t k = begin; k < rows_.columns_start(last); ++k) local_[k] = moved[local_[k]];
+    for (std::size_t k = local_starts_[c]; k < local_starts_[c + 1]; ++k) {
+      local_[k] = moved[local_[k]];
+    }
   }
   occurs_.assign(several_.size() + 1, 0);
   for (const Index i : of_shared) ++occurs_[i + 1];

@@ -13,9 +13,24 @@
 
 namespace surpass {
 
+/// to = from, width numbers; three is what matters, and too few for a call.
+inline void copy_numbers(const double* from, std::size_t width, double* to) {
+  if (width == 3) {
+    to[0] = from[0];
+    to[1] = from[1];
+    to[2] = from[2];
+  } else {
+    std::copy_n(from, width, to);
+  }
+}
+
 class PatchLayout {
  public:
-  PatchLayout(PatchRows rows, Index control_points);
+  /// Patches a chunk.
+  static constexpr std::size_t kPatches = 512;
+
+  /// `order`: of the patches; chunks are cut from it.
+  PatchLayout(PatchRows rows, std::vector<Index> order, Index control_points);
 
   [[nodiscard]] const PatchRows& rows() const { return rows_; }
   [[nodiscard]] Index control_count() const { return control_points_; }
@@ -31,7 +46,7 @@ class PatchLayout {
     [[nodiscard]] std::vector<double> copy(std::size_t width, std::span<const double> x) const {
       std::vector<double> values(points.size() * width);
       for (std::size_t k = 0; k < points.size(); ++k) {
-        std::copy_n(x.data() + points[k] * width, width, values.data() + k * width);
+        copy_numbers(x.data() + points[k] * width, width, values.data() + k * width);
       }
       return values;
     }
@@ -64,7 +79,7 @@ class PatchLayout {
       std::vector<double> values(chunk.points.size() * width, 0.0);
       work(chunk, std::span(values));
       for (std::size_t k = 0; k < chunk.own; ++k) {
-        std::copy_n(values.data() + k * width, width, y.data() + chunk.points[k] * width);
+        copy_numbers(values.data() + k * width, width, y.data() + chunk.points[k] * width);
       }
       std::copy(values.begin() + static_cast<std::ptrdiff_t>(chunk.own * width), values.end(),
                 shared.begin() + static_cast<std::ptrdiff_t>(shared_[number] * width));
@@ -91,7 +106,7 @@ class PatchLayout {
           const std::size_t at = chunks_[number];
           const Chunk chunk{std::span(order_).subspan(first, last - first),
                             std::span(points_).subspan(at, chunks_[number + 1] - at),
-                            local_.data() + rows_.columns_start(first),
+                            local_.data() + local_starts_[number],
                             chunks_[number + 1] - at - (shared_[number + 1] - shared_[number])};
           body(chunk, number);
         },
@@ -109,17 +124,16 @@ class PatchLayout {
   }
 
  private:
-  static constexpr std::size_t kPatches = 512;
-
   void number_points();
   void share_points();
 
   PatchRows rows_;
   Index control_points_;
-  std::vector<Index> order_;         // the patches of each chunk, sorted by kind
-  std::vector<Index> points_;        // of each chunk, chunk after chunk; its own ones first
-  std::vector<std::size_t> chunks_;  // where those of each start
-  std::vector<Index> local_;         // of every column of every patch, in that order
+  std::vector<Index> order_;               // the patches, those of each chunk sorted by kind
+  std::vector<Index> points_;              // of each chunk, chunk after chunk; its own ones first
+  std::vector<std::size_t> chunks_;        // where those of each start
+  std::vector<Index> local_;               // of every column of every patch, in that order
+  std::vector<std::size_t> local_starts_;  // where those of each chunk start
   std::vector<std::size_t> shared_;  // where the points of each chunk start that others need, too
   std::vector<Index> several_;       // control points of several chunks, or of none
   std::vector<Index> occurs_;        // where the places of each of these start

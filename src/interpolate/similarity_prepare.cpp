@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "interpolate/dummy_ring.hpp"
+#include "interpolate/patch_order.hpp"
 #include "interpolate/similarity_prepared.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
@@ -159,7 +160,9 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   auto rows = PatchRows::build(refined->mesh, *topology, options.rules, level_of(options.samples),
                                refined->sampled, context, Sides::shared);
   if (!rows) return tl::make_unexpected(rows.error());
-  auto layout = std::make_unique<const PatchLayout>(std::move(*rows), control_points);
+  auto layout = std::make_unique<const PatchLayout>(
+      std::move(*rows),
+      patches_by_neighbourhood(*topology, refined->sampled, PatchLayout::kPatches), control_points);
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
   auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
   refined->mesh.points = {};

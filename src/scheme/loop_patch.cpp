@@ -246,7 +246,8 @@ void Builder::derive(int i, int j, Sample& sample) {
       for (const Sector& sector : sectors(ring)) {
         const std::size_t inside = (spoke + ring.size() - sector.begin) % ring.size();
         if (sector.faces != 3 || inside >= sector.faces) continue;
-        derive_regular(ring, sector.begin, direction + kDirections - inside, sample);
+        derive_regular(ring, sector.begin, (direction + kDirections - inside) % kDirections,
+                       sample);
         return;
       }
     }

@@ -251,6 +251,10 @@ Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, c
   SideCounts counts(topology, *sharpness, sampled, sides);
   Piece piece;
   std::array<Index, 16> regular{};
+  const std::size_t usual = topology.common_degree() == 3 ? 12 : 16;
+  rows.columns_.reserve(std::min(usual * topology.face_count(), kMostColumnsTogether));
+  rows.offsets_.reserve(std::size_t{topology.face_count()} + 1);
+  rows.kind_of_.reserve(topology.face_count());
   for (Index f = 0; f < topology.face_count(); ++f) {
     if (f % parallel::kChunk == 0 && context.cancelled()) {
       return fail(ErrorCode::cancelled, "cancelled while setting up");
