@@ -3,38 +3,51 @@
 #include <surpass/io.hpp>
 #include <surpass/quality.hpp>
 
+#include <memory>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "contenders.hpp"
-#include "mesh_files.hpp"
 #include "program.hpp"
 
 namespace surpass::bench {
 namespace {
 
+// The quads as a file, and what is made of it, as long as anybody needs them.
+struct Files {
+  std::string obj;
+  Files(const Mesh& mesh, std::string path) : obj(std::move(path)) {
+    if (const auto ok = write_mesh(mesh, obj); !ok) throw std::runtime_error(describe(ok.error()));
+  }
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+  ~Files() {
+    ::unlink(obj.c_str());
+    ::unlink(control().c_str());
+  }
+  [[nodiscard]] std::string control() const { return obj + ".control.ply"; }
+};
+
 struct Run {
-  std::string obj;  // of the quads
+  std::shared_ptr<const Files> files;
   std::string form;
   std::string solver;
-  [[nodiscard]] std::string control() const { return obj + ".control.ply"; }
   [[nodiscard]] std::vector<std::string> arguments() const {
-    return {"interpolate", obj,          "-o",           control(), "--scheme", "catmull-clark",
-            "--method",    "similarity", "--similarity", form,      "--solver", solver};
+    return {"interpolate",   files->obj, "-o",         files->control(), "--scheme",
+            "catmull-clark", "--method", "similarity", "--similarity",   form,
+            "--solver",      solver};
   }
 };
 
 Verdict judge(const Workload& workload, const Run& run) {
-  const auto read = read_mesh(run.control());
+  const auto read = read_mesh(run.files->control());
   if (!read) throw std::runtime_error(describe(read.error()));
   const Mesh& given = workload.quads();
   const auto certificate = certify(read->mesh, given.points, {.scheme = Scheme::catmull_clark});
   if (!certificate) throw std::runtime_error(describe(certificate.error()));
   const auto report = report_of_program(run.arguments());
-  ::unlink(run.control().c_str());
-  ::unlink(run.obj.c_str());
   return {.error = certificate->max,
           .sweeps = report.at("iterations").get<double>(),
           .peak = report.at("peak_memory_bytes").get<double>() /
@@ -52,8 +65,8 @@ void add_run(Harness& harness, Index side, const std::string& form, const std::s
        .slow = true},
       side,
       [form, solver, tool](const Workload& w) {
-        Run run{w.obj() + "." + form + "." + solver + ".obj", form, solver};
-        write_obj(w.quads(), run.obj);
+        const std::string path = w.obj() + "." + form + "." + solver + ".obj";
+        const Run run{std::make_shared<const Files>(w.quads(), path), form, solver};
         return [run] {
           run_program(run.arguments());
           return run;
@@ -65,7 +78,7 @@ void add_run(Harness& harness, Index side, const std::string& form, const std::s
 }  // namespace
 
 void add_similarity(Harness& harness, Index side) {
-  constexpr Index kMostAssembled = 100;  // gigabytes beyond
+  constexpr Index kMostAssembled = 32;  // seconds and a gigabyte at ten times as many faces
   for (const char* form : {"vectors", "directions"}) {
     add_run(harness, side, form, "conjugate-gradient", "Surpass");
     if (side > kMostAssembled) continue;
