@@ -8,6 +8,7 @@ namespace surpass::bench {
 void add_anchors(Harness& harness, Index side);
 void add_surpass(Harness& harness, Index side);
 void add_command(Harness& harness, Index side);
+void add_similarity(Harness& harness, Index side);
 void add_schemes(Harness& harness, Index side);
 void add_opensubdiv(Harness& harness, Index side);
 void add_openmesh(Harness& harness, Index side);

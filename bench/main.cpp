@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
       add(harness, side);
     }
   }
+  for (const auto side : kGrowingSides) add_similarity(harness, side);
   harness.schedule();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

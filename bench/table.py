@@ -5,6 +5,7 @@ Medians are taken here, from the raw figures. The file is rewritten without what
 them and without the name of the machine, so that it can be published.
 """
 import json
+import math
 import statistics
 import sys
 
@@ -165,6 +166,36 @@ REACH = [
 ]
 
 
+# Seconds, file to file on one thread, by the number of faces: the similarity paper's sizes and beyond.
+GROWING = "similarity, "
+SECONDS = {1024: 0.02, 99856: 2, 1000000: 10}
+BYTES = 4e9
+
+
+def growth(groups):
+    """How time and memory grow with the number of faces, which is that of the vertices."""
+    lines = heading("step", "faces", "tool", "its time, ms", "exponent", "iterations", "peak, MB", "aim")
+    before = {}
+    for (step, faces), tools in groups.items():
+        if not step.startswith(GROWING):
+            continue
+        for tool, figures in tools.items():
+            time = median(figures, "wall")
+            exponent = ""
+            if (step, tool) in before:
+                fewer, less = before[step, tool]
+                exponent = f"{math.log(time / less) / math.log(faces / fewer):.2f}"
+            before[step, tool] = faces, time
+            peak = figures["peak"] * faces
+            aim = ""
+            if tool == OURS and faces in SECONDS:
+                met = time <= 1e3 * SECONDS[faces] and peak <= BYTES
+                aim = f"{SECONDS[faces]} s: " + ("reached" if met else "**missed**")
+            lines.append(row([step, faces, tool, milliseconds(figures), exponent, int(figures["sweeps"]),
+                              number(peak / 1e6), aim]))
+    return lines
+
+
 def judged(value, relation, bound, kind):
     met = value >= bound if relation == ">=" else value <= bound
     return [f"{relation} {bound:.3g}" + (f" ({kind})" if kind else ""), f"{value:.3g}",
@@ -225,6 +256,9 @@ def main():
         "takes. Differences and errors are relative to the largest side of the bounding box.", "",
         "## What is striven for", "", *reach(groups), "",
         "## Beside others", "", *comparison(groups), "",
+        "## Growth", "",
+        "Interpolation by similarity, file to file; the exponent is that of the time in the number of faces, from "
+        "the size before.", "", *growth(groups), "",
         "## Against the machine", "", *anchors(groups), "",
         "## Sweeps to the tolerance", "", *sweeps(groups), "",
         "## Where another was faster", "", *lost(groups), "",

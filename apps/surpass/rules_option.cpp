@@ -1,5 +1,7 @@
 #include "rules_option.hpp"
 
+#include <surpass/interpolate.hpp>
+
 #include <sstream>
 
 #include <fmt/format.h>
@@ -129,9 +131,7 @@ Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
 }
 
 void record(const Rules& rules, Mesh& mesh) {
-  mesh.annotate("scheme", name_of(rules.scheme));
-  mesh.annotate("boundary", name_of(rules.boundary));
-  if (rules.weights != Weights{}) mesh.annotate("weights", name_of(rules.weights));
+  annotate(mesh, rules);
   const std::size_t dropped = std::erase_if(mesh.tags, is_boundary_tag);
   if (dropped == 0) return;
   // The tag stays only where it can say the rule, for programs that read no annotation.

@@ -59,6 +59,11 @@ void Similar::define(Options& options) {
       "--scaling", scaling_, {Scaling::none, Scaling::per_axis, Scaling::isotropic},
       "How the refined given mesh is stretched to the given box before it is the reference; by "
       "default per-axis (the paper), and none with --reference"));
+  grouped(options.choice(
+      "--open", open_, {OpenMeshes::boundary_rules, OpenMeshes::dummy_ring},
+      "Open meshes: boundary-rules, as --boundary says; dummy-ring, inside a ring of free faces "
+      "that are not drawn (the paper; catmull-clark); by default boundary-rules, and dummy-ring "
+      "where normals or derivatives are required on the boundary"));
   grouped(options
               .add("--reference", reference_path_,
                    "Another reference: a mesh with the faces of the given one, or of that refined "
@@ -122,6 +127,7 @@ Result<void> Similar::check(Method method) const {
       Rule{"--similarity", form_.has_value(), true, false},
       Rule{"--row-weights", row_weights_.has_value(), true, false},
       Rule{"--scaling", scaling_.has_value(), true, true},
+      Rule{"--open", open_.has_value(), true, true},
       Rule{"--reference", !reference_path_.empty(), true, true},
       Rule{"--requirements", !requirements_path_.empty(), true, true},
       Rule{"--normals", !normals_path_.empty(), true, true},
@@ -212,17 +218,14 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common, c
   options_.row_weights = row_weights_.value_or(options_.row_weights);
   options_.scaling = scaling_.value_or(reference_path_.empty() ? Scaling::per_axis : Scaling::none);
   session.report["solver"] = name_of(options_.solver);
+  if (auto loaded = load_requirements(given, session); !loaded) return loaded;
+  const bool better_around = options_.rules.scheme == Scheme::catmull_clark &&
+                             prescribes_at_boundary(given, requirements_);
+  options_.open = open_.value_or(better_around ? OpenMeshes::dummy_ring : options_.open);
   auto solver = session.timed(
       "topology", [&] { return SimilarityInterpolator::create(given, options_, session.context); });
-  if (!solver) {
-    Error error = solver.error();
-    if (error.code == ErrorCode::unsuitable_for_scheme && options_.rules.scheme == Scheme::loop) {
-      error.message += "; --scheme catmull-clark takes triangles, too";
-    }
-    return tl::make_unexpected(error);
-  }
+  if (!solver) return tl::make_unexpected(solver.error());
   solver_ = std::move(*solver);
-  if (auto loaded = load_requirements(given, session); !loaded) return loaded;
   return load_reference(given, session);
 }
 
@@ -236,6 +239,7 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
   Json similarity = {{"form", name_of(options_.similarity)},
                      {"scaling", name_of(options_.scaling)},
                      {"scale", report.scale},
+                     {"open", name_of(options_.open)},
                      {"samples", options_.samples},
                      {"free_vertices", report.free_vertices},
                      {"derivatives", report.derivatives},

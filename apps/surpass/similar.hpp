@@ -54,6 +54,7 @@ class Similar {
   std::optional<Similarity> form_;
   std::optional<RowWeights> row_weights_;
   std::optional<Scaling> scaling_;
+  std::optional<OpenMeshes> open_;
   SimilarityOptions options_;
   std::string reference_path_;
   std::string requirements_path_;

@@ -52,6 +52,11 @@ struct Requirement {
                                                                   const Rules& rules,
                                                                   std::span<const Point> normals);
 
+/// Whether normals, directions or derivatives are required on the boundary of the given mesh, where
+/// OpenMeshes::dummy_ring meets them better. False where Topology::build fails.
+[[nodiscard]] bool prescribes_at_boundary(const Mesh& given,
+                                          std::span<const Requirement> requirements);
+
 /// What became of a requirement.
 struct RequirementOutcome {
   bool redundant = false;  ///< it follows from the others, or from the given vertices

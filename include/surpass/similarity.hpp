@@ -39,6 +39,17 @@ enum class Scaling {
   isotropic,  ///< by the geometric mean of the three factors
 };
 
+/// What happens at the boundary of an open mesh.
+enum class OpenMeshes {
+  boundary_rules,  ///< the rules of the options
+  /// A ring of dummy faces goes around (the paper): quads outside the boundary edges, with vertices
+  /// of their own that start at the boundary's and are free. The boundary curve obeys no rule, and
+  /// the surface need not lie straight across it: better where tangents or normals are required
+  /// there. Of the two rings of faces that refinement makes of them the inner one stays in the
+  /// control mesh, as hole faces behind those of the surface.
+  dummy_ring,
+};
+
 /// How the linear system of the free vertices is solved.
 enum class SimilaritySolver {
   conjugate_gradient,  ///< preconditioned by the diagonal (3 x 3 blocks for directions);
@@ -50,10 +61,12 @@ enum class SimilaritySolver {
 [[nodiscard]] const char* name_of(Similarity similarity);
 [[nodiscard]] const char* name_of(RowWeights weights);
 [[nodiscard]] const char* name_of(Scaling scaling);
+[[nodiscard]] const char* name_of(OpenMeshes open);
 [[nodiscard]] const char* name_of(SimilaritySolver solver);
 [[nodiscard]] Result<Similarity> similarity_named(std::string_view name);
 [[nodiscard]] Result<RowWeights> row_weights_named(std::string_view name);
 [[nodiscard]] Result<Scaling> scaling_named(std::string_view name);
+[[nodiscard]] Result<OpenMeshes> open_meshes_named(std::string_view name);
 [[nodiscard]] Result<SimilaritySolver> similarity_solver_named(std::string_view name);
 
 struct SimilarityOptions {
@@ -61,6 +74,7 @@ struct SimilarityOptions {
   Similarity similarity = Similarity::vectors;
   RowWeights row_weights = RowWeights::regularised;
   Scaling scaling = Scaling::per_axis;
+  OpenMeshes open = OpenMeshes::boundary_rules;  ///< dummy_ring: Catmull-Clark only
   /// Samples along the side of a patch: 2^k + 1 for a k from 1 to 4; the paper has 3.
   unsigned samples = 3;
   /// Weights of |Suu|^2 + 2 |Suv|^2 + |Svv|^2 and of |Su|^2 + |Sv|^2 under Similarity::fair.
@@ -129,7 +143,7 @@ class SimilarityInterpolator {
   ~SimilarityInterpolator();
 
   /// The topology of the control mesh: the given mesh refined once, without positions and vertex
-  /// channels, annotated with its rules and with "refined" = "1".
+  /// channels, annotated with its rules and with "refined" = "1". The given vertices come first.
   [[nodiscard]] const Mesh& refined() const;
 
   /// Control points whose limit surface goes through these points (#V of the given mesh). Vertex

@@ -1,9 +1,12 @@
 // The similarity of directions: Lai and Cheng 2006, equations 3 and 5. As |g x q|^2 = |g|^2 |q|^2 -
 // (g.q)^2, each row's part of H is its weights' squares times the block |g|^2 I - g g'. Nothing is
-// kept of the reference's derivatives g: to compute them again is faster than to read them.
+// kept of the reference's derivatives g: they are a gigabyte at a million faces, and reading them
+// takes about as long as computing them again.
 #include <algorithm>
 #include <array>
 
+#include "interpolate/cross_kernels.hpp"
+#include "interpolate/lane_points.hpp"
 #include "interpolate/patch_energy.hpp"
 
 namespace surpass {
@@ -11,40 +14,6 @@ namespace {
 
 constexpr double kRegular = 0.09;     // share of the mean that regularises: 0.3 squared
 constexpr double kVanishing = 1e-24;  // of the mean of |g|^2; below it g has no direction
-constexpr std::size_t kLanes = PatchLayout::kLanes;
-
-// The rows of a kind without their zeros.
-struct SparseKind {
-  struct Row {
-    std::size_t begin;
-    std::size_t end;
-    double count;
-    std::size_t order;  // of the derivative, from 0
-  };
-  std::size_t columns = 0;
-  std::vector<Row> rows;
-  std::vector<Index> column;
-  std::vector<double> weight;
-
-  explicit SparseKind(const PatchKind& kind);
-};
-
-SparseKind::SparseKind(const PatchKind& kind) : columns(kind.columns) {
-  for (std::size_t r = 0; r < kind.row_count(); ++r) {
-    if (kind.derivative[r] == Derivative::mixed) continue;
-    const std::size_t order = kind.derivative[r] == Derivative::first    ? 0
-                              : kind.derivative[r] == Derivative::second ? 1
-                                                                         : 2;
-    const std::size_t begin = column.size();
-    for (std::size_t c = 0; c < columns; ++c) {
-      const double w = kind.row(r)[c];
-      if (w == 0) continue;
-      column.push_back(static_cast<Index>(c));
-      weight.push_back(w);
-    }
-    rows.push_back({begin, column.size(), kind.count[r], order});
-  }
-}
 
 // Sums of count |g|^2 and of count, by order.
 struct Means {
@@ -55,52 +24,26 @@ struct Means {
   }
 };
 
-// The points of a group of patches side by side; lanes without a patch are 0, and so is then all
-// that is made of them.
-void gather(const Index* local, std::size_t columns, std::size_t lanes, const double* x,
-            std::vector<LaneVectors>& points) {
-  points.assign(columns, {});
-  for (std::size_t l = 0; l < lanes; ++l) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      points[c].set(l, x + std::size_t{3} * local[l * columns + c]);
+RowLaw law_of(RowWeights weights, const CrossKind::Row& row, const Means& means) {
+  const double first = means.mean(0);
+  switch (weights) {
+    case RowWeights::none: break;
+    case RowWeights::unit: return {row.count, 1, 0, kVanishing * first};
+    case RowWeights::order: {
+      const double mean = std::max(means.mean(row.order), kVanishing * first);
+      return {mean > 0 ? row.count / mean : 0};
     }
+    case RowWeights::regularised:
+      if (!(first > 0)) return {};
+      return {row.count, 1, kRegular * first};
   }
-}
-
-void scatter(const Index* local, std::size_t columns, std::size_t lanes,
-             const std::vector<LaneVectors>& points, double* y) {
-  for (std::size_t l = 0; l < lanes; ++l) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      points[c].add_to(l, y + std::size_t{3} * local[l * columns + c]);
-    }
-  }
-}
-
-LaneVectors times(const SparseKind& kind, const SparseKind::Row& row,
-                  const std::vector<LaneVectors>& points) {
-  LaneVectors sum;
-  for (std::size_t i = row.begin; i < row.end; ++i) {
-    sum.add(Lanes::all(kind.weight[i]), points[kind.column[i]]);
-  }
-  return sum;
-}
-
-// sums += the row's weights times a vector.
-void add_times(const SparseKind& kind, const SparseKind::Row& row, const LaneVectors& vector,
-               std::vector<LaneVectors>& sums) {
-  for (std::size_t i = row.begin; i < row.end; ++i) {
-    sums[kind.column[i]].add(Lanes::all(kind.weight[i]), vector);
-  }
+  return {row.count};
 }
 
 class CrossProducts final : public PatchEnergy {
  public:
   CrossProducts(const PatchLayout& layout, std::span<const double> reference, RowWeights weights,
-                const Context& context)
-      : layout_(layout), reference_(reference), weights_(weights) {
-    for (const PatchKind& kind : layout.rows().kinds()) kinds_.emplace_back(kind);
-    if (weights != RowWeights::none) find_means(context);
-  }
+                const Context& context);
 
   void product(const Context& context, std::size_t width, std::span<const double> x,
                std::span<double> y) const override;
@@ -109,45 +52,52 @@ class CrossProducts final : public PatchEnergy {
   void for_blocks(std::size_t patch, const UseBlock& use) const override;
 
  private:
-  void find_means(const Context& context);
-  // From |g|^2 to the weight of the row; any will do where a lane has no patch.
-  [[nodiscard]] Lanes weight(const SparseKind::Row& row, const Lanes& square) const;
-  [[nodiscard]] std::vector<double> local_points(const PatchLayout::Chunk& chunk,
-                                                 std::span<const double> x) const;
+  [[nodiscard]] Means means(const Context& context) const;
 
   const PatchLayout& layout_;
   std::span<const double> reference_;
-  RowWeights weights_;
-  std::vector<SparseKind> kinds_;
-  Means means_;
+  std::vector<CrossKind> kinds_;
+  // Of each kind.
+  std::vector<std::vector<RowLaw>> laws_;
+  std::vector<std::vector<RowLaw>> scaled_laws_;
+  std::size_t most_columns_ = 0;
+  std::size_t most_rows_ = 0;
 };
 
-std::vector<double> CrossProducts::local_points(const PatchLayout::Chunk& chunk,
-                                                std::span<const double> x) const {
-  std::vector<double> own(3 * chunk.points.size());
-  for (std::size_t k = 0; k < chunk.points.size(); ++k) {
-    std::copy_n(x.data() + std::size_t{3} * chunk.points[k], 3, own.data() + 3 * k);
+CrossProducts::CrossProducts(const PatchLayout& layout, std::span<const double> reference,
+                             RowWeights weights, const Context& context)
+    : layout_(layout), reference_(reference) {
+  for (const PatchKind& kind : layout.rows().kinds()) {
+    kinds_.emplace_back(kind);
+    most_columns_ = std::max(most_columns_, kinds_.back().columns);
+    most_rows_ = std::max(most_rows_, kinds_.back().rows.size());
   }
-  return own;
+  const Means found = weights == RowWeights::none ? Means{} : means(context);
+  for (const CrossKind& kind : kinds_) {
+    auto& laws = laws_.emplace_back();
+    for (const CrossKind::Row& row : kind.rows) laws.push_back(law_of(weights, row, found));
+    scaled_laws_.push_back(scaled_laws(kind, laws));
+  }
 }
 
-void CrossProducts::find_means(const Context& context) {
-  means_ = layout_.reduce(
+Means CrossProducts::means(const Context& context) const {
+  return layout_.reduce(
       context, Means{},
       [&](const PatchLayout::Chunk& chunk) {
         Means sums;
-        const auto reference = local_points(chunk, reference_);
-        std::vector<LaneVectors> points;
+        const auto reference = padded_points(chunk.points, reference_);
+        std::vector<LaneVectors> points(most_columns_);
+        std::vector<LaneNumbers> squares(most_rows_);
         layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
-          const SparseKind& kind = kinds_[number];
-          gather(local, kind.columns, lanes, reference.data(), points);
-          for (const SparseKind::Row& row : kind.rows) {
-            const LaneVectors g = times(kind, row, points);
-            const Lanes square = dot(g, g);
-            for (std::size_t l = 0; l < lanes; ++l) {
-              sums.squares[row.order] += row.count * square[l];
-              sums.counts[row.order] += row.count;
-            }
+          const CrossKind& kind = kinds_[number];
+          gather_points(local, kind.columns, lanes, reference.data(), points.data());
+          squares_of_patches(kind, points.data(), squares.data());
+          for (std::size_t r = 0; r < kind.rows.size(); ++r) {
+            const CrossKind::Row& row = kind.rows[r];
+            double sum = 0;
+            for (std::size_t l = 0; l < lanes; ++l) sum += squares[r].value[l];
+            sums.squares[row.order] += row.count * row.scale * row.scale * sum;
+            sums.counts[row.order] += row.count * static_cast<double>(lanes);
           }
         });
         return sums;
@@ -161,82 +111,43 @@ void CrossProducts::find_means(const Context& context) {
       });
 }
 
-Lanes CrossProducts::weight(const SparseKind::Row& row, const Lanes& square) const {
-  const double first = means_.mean(0);
-  switch (weights_) {
-    case RowWeights::none: break;
-    case RowWeights::unit: {
-      Lanes weight;
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        if (square[l] > kVanishing * first) weight.set(l, row.count / square[l]);
-      }
-      return weight;
-    }
-    case RowWeights::order: {
-      const double mean = std::max(means_.mean(row.order), kVanishing * first);
-      return Lanes::all(mean > 0 ? row.count / mean : 0);
-    }
-    case RowWeights::regularised:
-      if (!(first > 0)) return {};
-      return Lanes::all(row.count) / (square + Lanes::all(kRegular * first));
-  }
-  return Lanes::all(row.count);
-}
-
 void CrossProducts::product(const Context& context, std::size_t, std::span<const double> x,
                             std::span<double> y) const {
   layout_.add_up(context, 3, y, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto reference = local_points(chunk, reference_);
-    const auto own = local_points(chunk, x);
-    std::vector<LaneVectors> at_reference;
-    std::vector<LaneVectors> at_x;
-    std::vector<LaneVectors> sums;
+    const auto reference = padded_points(chunk.points, reference_);
+    const auto own = padded_points(chunk.points, x);
+    std::vector<double> gradient(own.size());
+    std::vector<LaneVectors> at_reference(most_columns_);
+    std::vector<LaneVectors> at_x(most_columns_);
+    std::vector<LaneVectors> sums(most_columns_);
     layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
-      const SparseKind& kind = kinds_[number];
-      gather(local, kind.columns, lanes, reference.data(), at_reference);
-      gather(local, kind.columns, lanes, own.data(), at_x);
-      sums.assign(kind.columns, {});
-      for (const SparseKind::Row& row : kind.rows) {
-        const LaneVectors g = times(kind, row, at_reference);
-        const LaneVectors q = times(kind, row, at_x);
-        const Lanes square = dot(g, g);
-        const Lanes w = weight(row, square);
-        LaneVectors stress;
-        stress.add(w * square, q);
-        stress.add(Lanes() - w * dot(g, q), g);
-        add_times(kind, row, stress, sums);
-      }
-      scatter(local, kind.columns, lanes, sums, values.data());
+      const CrossKind& kind = kinds_[number];
+      gather_points(local, kind.columns, lanes, reference.data(), at_reference.data());
+      gather_points(local, kind.columns, lanes, own.data(), at_x.data());
+      gradient_of_patches(kind, scaled_laws_[number].data(), at_reference.data(), at_x.data(),
+                          sums.data());
+      scatter_points(local, kind.columns, lanes, sums.data(), gradient.data());
     });
+    for (std::size_t k = 0; k < chunk.points.size(); ++k) {
+      copy_numbers(&gradient[kPointStride * k], 3, &values[3 * k]);
+    }
   });
-}
-
-// The upper triangle of w (|g|^2 I - g g').
-std::array<double, 6> block_of(const LaneVectors& g, double w, std::size_t lane) {
-  const std::array<double, 3> v = {g.x[lane], g.y[lane], g.z[lane]};
-  const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  return {w * (square - v[0] * v[0]), -w * v[0] * v[1], -w * v[0] * v[2],
-          w * (square - v[1] * v[1]), -w * v[1] * v[2], w * (square - v[2] * v[2])};
 }
 
 std::vector<double> CrossProducts::diagonal(const Context& context) const {
   std::vector<double> sum(std::size_t{6} * layout_.control_count());
   layout_.add_up(context, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto reference = local_points(chunk, reference_);
-    std::vector<LaneVectors> points;
+    const auto reference = padded_points(chunk.points, reference_);
+    std::vector<LaneVectors> points(most_columns_);
+    std::vector<LaneBlock> sums(most_columns_);
     layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
-      const SparseKind& kind = kinds_[number];
-      gather(local, kind.columns, lanes, reference.data(), points);
-      for (const SparseKind::Row& row : kind.rows) {
-        const LaneVectors g = times(kind, row, points);
-        const Lanes weights = weight(row, dot(g, g));
-        for (std::size_t l = 0; l < lanes; ++l) {
-          const auto block = block_of(g, weights[l], l);
-          for (std::size_t i = row.begin; i < row.end; ++i) {
-            const double w = kind.weight[i] * kind.weight[i];
-            double* to = values.data() + std::size_t{6} * local[l * kind.columns + kind.column[i]];
-            for (std::size_t c = 0; c < 6; ++c) to[c] += w * block[c];
-          }
+      const CrossKind& kind = kinds_[number];
+      gather_points(local, kind.columns, lanes, reference.data(), points.data());
+      diagonal_of_patches(kind, laws_[number].data(), points.data(), sums.data());
+      for (std::size_t l = 0; l < lanes; ++l) {
+        for (std::size_t c = 0; c < kind.columns; ++c) {
+          double* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
+          for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
         }
       }
     });
@@ -245,14 +156,26 @@ std::vector<double> CrossProducts::diagonal(const Context& context) const {
 }
 
 void CrossProducts::for_blocks(std::size_t patch, const UseBlock& use) const {
-  const SparseKind& kind = kinds_[layout_.rows().kind_number(patch)];
+  const Index number = layout_.rows().kind_number(patch);
+  const CrossKind& kind = kinds_[number];
+  const auto columns = layout_.rows().columns(patch);
   const std::size_t n = kind.columns;
-  std::vector<LaneVectors> points;
-  gather(layout_.rows().columns(patch).data(), n, 1, reference_.data(), points);
   std::vector<double> blocks(6 * n * n, 0.0);
-  for (const SparseKind::Row& row : kind.rows) {
-    const LaneVectors g = times(kind, row, points);
-    const auto block = block_of(g, weight(row, dot(g, g))[0], 0);
+  for (std::size_t r = 0; r < kind.rows.size(); ++r) {
+    const CrossKind::Row& row = kind.rows[r];
+    std::array<double, 3> g = {};
+    for (std::size_t i = row.begin; i < row.end; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        g[c] += kind.weight[i] * reference_[std::size_t{3} * columns[kind.column[i]] + c];
+      }
+    }
+    const double square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+    const RowLaw& law = laws_[number][r];
+    if (!(square > law.threshold)) continue;
+    const double w = law.numerator / (law.slope * square + law.constant);
+    const std::array<double, 6> block = {w * (square - g[0] * g[0]), -w * g[0] * g[1],
+                                         -w * g[0] * g[2],           w * (square - g[1] * g[1]),
+                                         -w * g[1] * g[2],           w * (square - g[2] * g[2])};
     for (std::size_t i = row.begin; i < row.end; ++i) {
       for (std::size_t j = row.begin; j < row.end; ++j) {
         double* to = &blocks[6 * (kind.column[i] * n + kind.column[j])];

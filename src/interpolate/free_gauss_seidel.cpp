@@ -1,8 +1,6 @@
-#include <cmath>
-
 #include <Eigen/SparseCore>
 
-#include "interpolate/free_system.hpp"
+#include "interpolate/free_progress.hpp"
 
 namespace surpass {
 namespace {
@@ -106,28 +104,16 @@ void sweep(const Sparse& matrix, std::size_t width, std::span<double> gradient,
 
 FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout, const StopAt& stop,
                          std::span<double> gradient, std::span<double> change) {
-  FreeOutcome outcome;
-  const double start = std::sqrt(system.dot(gradient, gradient));
-  if (start == 0 || stop.max_iterations == 0) return outcome;
+  FreeProgress progress(system, stop, gradient);
+  if (!progress.goes_on()) return std::move(progress).outcome();
   const Assembly assembly(system, layout);
   const Sparse matrix = assembly.matrix();
-  while (outcome.iterations < stop.max_iterations) {
-    if (system.context.cancelled()) {
-      outcome.cancelled = true;
-      return outcome;
-    }
+  while (progress.goes_on()) {
     sweep(matrix, system.width / assembly.parts(), gradient, change);
-    ++outcome.iterations;
-    const double residual = std::sqrt(system.dot(gradient, gradient)) / start;
-    outcome.residuals.push_back(residual);
-    system.context.report({.stage = "solve",
-                           .fraction = std::min(1.0, std::log(residual) / std::log(stop.tolerance)),
-                           .iteration = outcome.iterations,
-                           .error = residual});
-    if (residual <= stop.tolerance) break;
+    progress.note(gradient);
   }
   system.elimination.meet(system.context, system.width, {}, change);
-  return outcome;
+  return std::move(progress).outcome();
 }
 
 }  // namespace surpass

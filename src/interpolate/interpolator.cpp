@@ -303,6 +303,13 @@ double floored_tolerance(double tolerance, std::span<const double> values, doubl
   return std::max(tolerance, 4 * ulp / unit);
 }
 
+void annotate(Mesh& mesh, const Rules& rules) {
+  mesh.annotate("scheme", name_of(rules.scheme));
+  mesh.annotate("boundary", name_of(rules.boundary));
+  std::erase_if(mesh.annotations, [](const auto& a) { return a.first == "weights"; });
+  if (rules.weights != Weights{}) mesh.annotate("weights", name_of(rules.weights));
+}
+
 Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& options,
                                  const Context& context) {
   const auto solver = Interpolator::create(mesh, options, context);
@@ -313,11 +320,7 @@ Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& opt
   result.control.points = std::move(solution->points);
   result.control.channels = std::move(solution->channels);
   std::erase_if(result.control.annotations, [](const auto& a) { return a.first == "refined"; });
-  result.control.annotate("scheme", name_of(options.rules.scheme));
-  result.control.annotate("boundary", name_of(options.rules.boundary));
-  if (options.rules.weights != Weights{}) {
-    result.control.annotate("weights", name_of(options.rules.weights));
-  }
+  annotate(result.control, options.rules);
   return result;
 }
 

@@ -1,17 +1,20 @@
 #include "interpolate/patch_layout.hpp"
 
-#include <numeric>
-
 namespace surpass {
 
-PatchLayout::PatchLayout(PatchRows rows, Index control_points)
-    : rows_(std::move(rows)), control_points_(control_points) {
+PatchLayout::PatchLayout(PatchRows rows, std::vector<Index> order, Index control_points)
+    : rows_(std::move(rows)), control_points_(control_points), order_(std::move(order)) {
+  number_points();
+  share_points();
+}
+
+// The points of each chunk, in the order in which its patches meet them.
+void PatchLayout::number_points() {
   const std::size_t patches = rows_.patch_count();
-  order_.resize(patches);
-  std::iota(order_.begin(), order_.end(), Index{0});
   local_.resize(rows_.column_count());
+  points_.reserve(control_points_ + std::size_t{control_points_} / 3);  // about what grids need
   chunks_ = {0};
-  std::vector<Index> number(control_points, kNone);  // in the chunk at hand
+  std::vector<Index> number(control_points_, kNone);  // in the chunk at hand
   std::size_t at = 0;
   for (std::size_t first = 0; first < patches; first += kPatches) {
     const std::size_t last = std::min(patches, first + kPatches);
@@ -19,6 +22,7 @@ PatchLayout::PatchLayout(PatchRows rows, Index control_points)
                      order_.begin() + static_cast<std::ptrdiff_t>(last),
                      [&](Index a, Index b) { return rows_.kind_number(a) < rows_.kind_number(b); });
     const std::size_t begin = points_.size();
+    local_starts_.push_back(at);
     for (std::size_t i = first; i < last; ++i) {
       for (const Index v : rows_.columns(order_[i])) {
         if (number[v] == kNone) {
@@ -31,13 +35,52 @@ PatchLayout::PatchLayout(PatchRows rows, Index control_points)
     for (std::size_t k = begin; k < points_.size(); ++k) number[points_[k]] = kNone;
     chunks_.push_back(points_.size());
   }
-  occurs_.assign(std::size_t{control_points} + 1, 0);
-  for (const Index v : points_) ++occurs_[v + 1];
-  for (std::size_t j = 1; j < occurs_.size(); ++j) occurs_[j] += occurs_[j - 1];
-  places_.resize(points_.size());
+  local_starts_.push_back(at);
+}
+
+// Points that one chunk alone needs come first in it: their sums need no place beside.
+void PatchLayout::share_points() {
+  constexpr Index kSeveral = 2;
+  std::vector<unsigned char> uses(control_points_, 0);
+  for (const Index v : points_) {
+    uses[v] = static_cast<unsigned char>(std::min<Index>(kSeveral, uses[v] + Index{1}));
+  }
+  std::vector<Index> place(control_points_, kNone);  // among several_
+  for (Index v = 0; v < control_points_; ++v) {
+    if (uses[v] == 1) continue;
+    place[v] = static_cast<Index>(several_.size());
+    several_.push_back(v);
+  }
+  shared_ = {0};
+  std::vector<Index> of_shared;  // places among several_
+  std::vector<Index> moved;      // new numbers of a chunk's points
+  std::vector<Index> sorted;
+  for (std::size_t c = 0; c + 1 < chunks_.size(); ++c) {
+    const std::span<Index> points =
+        std::span(points_).subspan(chunks_[c], chunks_[c + 1] - chunks_[c]);
+    moved.resize(points.size());
+    sorted.clear();
+    for (const bool own : {true, false}) {
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if ((uses[points[k]] == 1) != own) continue;
+        moved[k] = static_cast<Index>(sorted.size());
+        sorted.push_back(points[k]);
+        if (!own) of_shared.push_back(place[points[k]]);
+      }
+    }
+    std::copy(sorted.begin(), sorted.end(), points.begin());
+    shared_.push_back(of_shared.size());
+    for (std::size_t k = local_starts_[c]; k < local_starts_[c + 1]; ++k) {
+      local_[k] = moved[local_[k]];
+    }
+  }
+  occurs_.assign(several_.size() + 1, 0);
+  for (const Index i : of_shared) ++occurs_[i + 1];
+  for (std::size_t i = 1; i < occurs_.size(); ++i) occurs_[i] += occurs_[i - 1];
+  places_.resize(of_shared.size());
   std::vector<Index> next(occurs_.begin(), occurs_.end() - 1);
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    places_[next[points_[k]]++] = static_cast<Index>(k);
+  for (std::size_t k = 0; k < of_shared.size(); ++k) {
+    places_[next[of_shared[k]]++] = static_cast<Index>(k);
   }
 }
 

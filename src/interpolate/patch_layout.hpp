@@ -1,6 +1,6 @@
 // The patches of a mesh in chunks that have their own copies of the control points they need. What
 // chunks add up is then added in an order that does not depend on the number of threads. Within a
-// chunk, patches of one kind come together, four and four of them abreast.
+// chunk, patches of one kind come together, several of them abreast.
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,43 @@
 
 namespace surpass {
 
+/// to = from, width numbers; three is what matters, and too few for a call.
+inline void copy_numbers(const double* from, std::size_t width, double* to) {
+  if (width == 3) {
+    to[0] = from[0];
+    to[1] = from[1];
+    to[2] = from[2];
+  } else {
+    std::copy_n(from, width, to);
+  }
+}
+
 class PatchLayout {
  public:
-  PatchLayout(PatchRows rows, Index control_points);
+  /// Patches a chunk.
+  static constexpr std::size_t kPatches = 512;
+
+  /// `order`: of the patches; chunks are cut from it.
+  PatchLayout(PatchRows rows, std::vector<Index> order, Index control_points);
 
   [[nodiscard]] const PatchRows& rows() const { return rows_; }
   [[nodiscard]] Index control_count() const { return control_points_; }
-
-  static constexpr std::size_t kLanes = Lanes::kCount;
 
   /// A chunk of patches, in an order of its own.
   struct Chunk {
     std::span<const Index> patches;  ///< sorted by kind
     std::span<const Index> points;   ///< the control points that they need
     const Index* local;  ///< for the columns of each patch in turn, numbers among the points
+    std::size_t own;     ///< so many of the points, the first ones, no other chunk needs
+
+    /// The points' numbers (#control points by width) together.
+    [[nodiscard]] std::vector<double> copy(std::size_t width, std::span<const double> x) const {
+      std::vector<double> values(points.size() * width);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        copy_numbers(x.data() + points[k] * width, width, values.data() + k * width);
+      }
+      return values;
+    }
   };
 
   /// Calls body(kind's number, local, lanes) for groups of up to kLanes patches of one kind: patch
@@ -51,16 +74,23 @@ class PatchLayout {
   /// chunk's points and adds to them. y: #control points by width.
   template <class Work>
   void add_up(const Context& context, std::size_t width, std::span<double> y, Work&& work) const {
-    std::vector<double> values(points_.size() * width, 0.0);
+    std::vector<double> shared(places_.size() * width);
     for_chunks(context, [&](const Chunk& chunk, std::size_t number) {
-      work(chunk, std::span(values).subspan(chunks_[number] * width, chunk.points.size() * width));
+      std::vector<double> values(chunk.points.size() * width, 0.0);
+      work(chunk, std::span(values));
+      for (std::size_t k = 0; k < chunk.own; ++k) {
+        copy_numbers(values.data() + k * width, width, y.data() + chunk.points[k] * width);
+      }
+      std::copy(values.begin() + static_cast<std::ptrdiff_t>(chunk.own * width), values.end(),
+                shared.begin() + static_cast<std::ptrdiff_t>(shared_[number] * width));
     });
-    parallel::for_ranges(context, control_points_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t j = begin; j < end; ++j) {
-        std::fill_n(y.data() + j * width, width, 0.0);
-        for (Index k = occurs_[j]; k < occurs_[j + 1]; ++k) {
-          const double* from = values.data() + std::size_t{places_[k]} * width;
-          for (std::size_t c = 0; c < width; ++c) y[j * width + c] += from[c];
+    parallel::for_ranges(context, several_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double* to = y.data() + several_[i] * width;
+        std::fill_n(to, width, 0.0);
+        for (Index k = occurs_[i]; k < occurs_[i + 1]; ++k) {
+          const double* from = shared.data() + std::size_t{places_[k]} * width;
+          for (std::size_t c = 0; c < width; ++c) to[c] += from[c];
         }
       }
     });
@@ -76,7 +106,8 @@ class PatchLayout {
           const std::size_t at = chunks_[number];
           const Chunk chunk{std::span(order_).subspan(first, last - first),
                             std::span(points_).subspan(at, chunks_[number + 1] - at),
-                            local_.data() + rows_.columns_start(first)};
+                            local_.data() + local_starts_[number],
+                            chunks_[number + 1] - at - (shared_[number + 1] - shared_[number])};
           body(chunk, number);
         },
         kPatches);
@@ -93,16 +124,20 @@ class PatchLayout {
   }
 
  private:
-  static constexpr std::size_t kPatches = 512;
+  void number_points();
+  void share_points();
 
   PatchRows rows_;
   Index control_points_;
-  std::vector<Index> order_;         // the patches of each chunk, sorted by kind
-  std::vector<Index> points_;        // of each chunk, chunk after chunk
-  std::vector<std::size_t> chunks_;  // where those of each start
-  std::vector<Index> local_;         // of every column of every patch, in that order
-  std::vector<Index> occurs_;        // where the places of each control point start
-  std::vector<Index> places_;        // among points_, ascending
+  std::vector<Index> order_;               // the patches, those of each chunk sorted by kind
+  std::vector<Index> points_;              // of each chunk, chunk after chunk; its own ones first
+  std::vector<std::size_t> chunks_;        // where those of each start
+  std::vector<Index> local_;               // of every column of every patch, in that order
+  std::vector<std::size_t> local_starts_;  // where those of each chunk start
+  std::vector<std::size_t> shared_;  // where the points of each chunk start that others need, too
+  std::vector<Index> several_;       // control points of several chunks, or of none
+  std::vector<Index> occurs_;        // where the places of each of these start
+  std::vector<Index> places_;        // among the shared points of all chunks, ascending
 };
 
 }  // namespace surpass

@@ -86,4 +86,34 @@ Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh, const Rule
   return requirements;
 }
 
+namespace {
+
+// Whether a place on face f lies on a side without a neighbour.
+bool lies_on_boundary(const Topology& topology, const SurfacePlace& place) {
+  if (place.face >= topology.face_count()) return false;
+  const Index begin = topology.face_begin(place.face);
+  const Index degree = topology.face_degree(place.face);
+  const auto is_open = [&](Index side) {
+    return topology.opposite(begin + side % degree) == kNone;
+  };
+  if (place.corner == kNone) {
+    return (place.v == 0 && is_open(0)) || (place.u == 1 && is_open(1)) ||
+           (place.v == 1 && is_open(2)) || (place.u == 0 && is_open(3));
+  }
+  return (place.v == 0 && is_open(place.corner)) ||
+         (place.u == 0 && is_open(place.corner + degree - 1));
+}
+
+}  // namespace
+
+bool prescribes_at_boundary(const Mesh& given, std::span<const Requirement> requirements) {
+  const auto topology = Topology::build(given);
+  if (!topology || topology->boundary_edge_count() == 0) return false;
+  return std::any_of(requirements.begin(), requirements.end(), [&](const Requirement& r) {
+    if (r.kind == Requirement::Kind::position || r.kind == Requirement::Kind::remove) return false;
+    if (r.vertex == kNone) return lies_on_boundary(*topology, r.place);
+    return r.vertex < topology->vertex_count() && topology->is_boundary(r.vertex);
+  });
+}
+
 }  // namespace surpass

@@ -3,6 +3,7 @@
 // Beyond the paper: the vectors form, preconditioned conjugate gradients in the place of Gauss and
 // Seidel, nothing assembled; and Halstead, Kass and DeRose's energies on the same machinery.
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -91,9 +92,7 @@ std::vector<double> refined_reference(const SimilarityPrepared& prepared, const 
   const std::span<const double> source = wanted.reference.empty() ? wanted.given : wanted.reference;
   const std::size_t values = prepared.control_count() * wanted.width;
   if (source.size() == values) return {source.begin(), source.end()};
-  std::vector<double> refined(values);
-  prepared.stencil.apply(context, wanted.width, source, refined);
-  return refined;
+  return refine_given(prepared, wanted.width, source, context);
 }
 
 // x = the reference where points are free, moved to where the energy is least; in units.
@@ -201,6 +200,18 @@ Iteration error_of(const SimilarityPrepared& prepared, std::span<const double> c
   return error;
 }
 
+// A row may stand for several samples, also of the neighbour. Thirds of them are of rows that share
+// the samples of others.
+std::size_t derivative_count(const PatchRows& rows) {
+  std::vector<double> of_kind;
+  for (const PatchKind& kind : rows.kinds()) {
+    of_kind.push_back(std::accumulate(kind.count.begin(), kind.count.end(), 0.0));
+  }
+  double count = 0;
+  for (std::size_t p = 0; p < rows.patch_count(); ++p) count += of_kind[rows.kind_number(p)];
+  return static_cast<std::size_t>(std::llround(count));
+}
+
 void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<const Point> points,
                  const Context& context, SimilarityReport& report) {
   const SimilarityOptions& options = prepared.options;
@@ -217,10 +228,7 @@ void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<con
   report.residuals = std::move(found.outcome.residuals);
   std::copy_n(found.scale.begin(), 3, report.scale.begin());
   report.free_vertices = prepared.control_count() - prepared.given_count();
-  const PatchRows& rows = prepared.layout->rows();
-  for (std::size_t p = 0; p < rows.patch_count(); ++p) {
-    report.derivatives += rows.kind(p).row_count();
-  }
+  report.derivatives = derivative_count(prepared.layout->rows());
 }
 
 // Whether the system was solved, and what to say if not.

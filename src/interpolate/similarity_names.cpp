@@ -51,6 +51,14 @@ const char* name_of(Scaling scaling) {
   return "unknown";
 }
 
+const char* name_of(OpenMeshes open) {
+  switch (open) {
+    case OpenMeshes::boundary_rules: return "boundary-rules";
+    case OpenMeshes::dummy_ring: return "dummy-ring";
+  }
+  return "unknown";
+}
+
 const char* name_of(SimilaritySolver solver) {
   switch (solver) {
     case SimilaritySolver::conjugate_gradient: return "conjugate-gradient";
@@ -73,6 +81,11 @@ Result<RowWeights> row_weights_named(std::string_view name) {
 
 Result<Scaling> scaling_named(std::string_view name) {
   return named(name, std::array{Scaling::none, Scaling::per_axis, Scaling::isotropic}, "scaling");
+}
+
+Result<OpenMeshes> open_meshes_named(std::string_view name) {
+  return named(name, std::array{OpenMeshes::boundary_rules, OpenMeshes::dummy_ring},
+               "treatment of open meshes");
 }
 
 Result<SimilaritySolver> similarity_solver_named(std::string_view name) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "interpolate/dummy_ring.hpp"
+#include "interpolate/patch_order.hpp"
 #include "interpolate/similarity_prepared.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
@@ -46,13 +48,6 @@ Result<void> check_options(const SimilarityOptions& options) {
   return {};
 }
 
-void annotate(Mesh& mesh, const Rules& rules) {
-  mesh.annotate("scheme", name_of(rules.scheme));
-  mesh.annotate("boundary", name_of(rules.boundary));
-  if (rules.weights != Weights{}) mesh.annotate("weights", name_of(rules.weights));
-  mesh.annotate("refined", "1");
-}
-
 Mesh structure_of(const Mesh& mesh) {
   Mesh structure;
   structure.face_offsets = mesh.face_offsets;
@@ -62,50 +57,123 @@ Mesh structure_of(const Mesh& mesh) {
   return structure;
 }
 
+// The given mesh after one step, and how it came about.
+struct Refined {
+  std::vector<unsigned char> isolated;  // #given
+  TiledRows stencil;
+  std::vector<Index> dummies;
+  std::vector<Index> kept;
+  Mesh mesh;
+  std::vector<unsigned char> sampled;  // #faces of the mesh; empty: all
+};
+
+Result<void> step(const Mesh& mesh, const Topology& topology, const SimilarityOptions& options,
+                  const Context& context, Refined& refined) {
+  auto made = scheme_of(options.rules.scheme)
+                  .refinement(mesh, topology, options.rules, context, refined.stencil);
+  if (!made) return tl::make_unexpected(made.error());
+  refined.mesh = std::move(*made);
+  refined.mesh.points.resize(refined.stencil.row_count());
+  return {};
+}
+
+Result<void> step_with_dummies(const Mesh& mesh, const Topology& topology,
+                               const SimilarityOptions& options, const Context& context,
+                               Refined& refined) {
+  const SubdivisionScheme& scheme = scheme_of(options.rules.scheme);
+  if (!scheme.makes_corners_faces()) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("the dummy ring is not for {} surfaces", scheme.title()));
+  }
+  ExtendedMesh extended = with_dummy_ring(mesh, topology);
+  const auto around = Topology::build(extended.mesh);
+  if (!around) return tl::make_unexpected(around.error());
+  if (auto ok = step(extended.mesh, *around, options, context, refined); !ok) return ok;
+  DummyParts parts = without_outer_ring(std::move(refined.mesh), mesh);
+  refined.mesh = std::move(parts.mesh);
+  refined.dummies = std::move(extended.at);
+  refined.kept = std::move(parts.kept);
+  refined.sampled = std::move(parts.sampled);
+  return {};
+}
+
+Result<Refined> refined_once(const Mesh& mesh, const SimilarityOptions& options,
+                             const Context& context) {
+  const auto topology = Topology::build(mesh);
+  if (!topology) return tl::make_unexpected(topology.error());
+  if (auto ok = require_suitable(scheme_of(options.rules.scheme), *topology, options.rules); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  Refined refined;
+  refined.isolated.resize(topology->vertex_count());
+  for (Index v = 0; v < topology->vertex_count(); ++v) {
+    refined.isolated[v] = topology->is_isolated(v) ? 1 : 0;
+  }
+  const bool around = options.open == OpenMeshes::dummy_ring && topology->boundary_edge_count() > 0;
+  const auto ok = around ? step_with_dummies(mesh, *topology, options, context, refined)
+                         : step(mesh, *topology, options, context, refined);
+  if (!ok) return tl::make_unexpected(ok.error());
+  return refined;
+}
+
 }  // namespace
+
+std::vector<double> refine_given(const SimilarityPrepared& prepared, std::size_t width,
+                                 std::span<const double> given, const Context& context) {
+  std::vector<double> extended;
+  if (!prepared.dummies.empty()) {
+    extended.assign(given.begin(), given.end());
+    for (const Index v : prepared.dummies) {
+      const auto at = given.begin() + static_cast<std::ptrdiff_t>(v * width);
+      extended.insert(extended.end(), at, at + static_cast<std::ptrdiff_t>(width));
+    }
+    given = extended;
+  }
+  std::vector<double> refined(prepared.stencil.row_count() * width);
+  prepared.stencil.apply(context, width, given, refined);
+  if (prepared.kept.empty()) return refined;
+  std::vector<double> chosen;
+  chosen.reserve(prepared.kept.size() * width);
+  for (const Index i : prepared.kept) {
+    const auto at = refined.begin() + static_cast<std::ptrdiff_t>(i * width);
+    chosen.insert(chosen.end(), at, at + static_cast<std::ptrdiff_t>(width));
+  }
+  return chosen;
+}
 
 Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const SimilarityOptions& options,
                                               const Context& context) {
   if (auto ok = check_options(options); !ok) return tl::make_unexpected(ok.error());
   const SubdivisionScheme& scheme = scheme_of(options.rules.scheme);
   context.report({.stage = "topology"});
-  std::vector<unsigned char> isolated;
-  TiledRows stencil;
-  Result<Mesh> refined = [&]() -> Result<Mesh> {
-    const auto topology = Topology::build(mesh);
-    if (!topology) return tl::make_unexpected(topology.error());
-    if (auto ok = require_suitable(scheme, *topology, options.rules); !ok) {
-      return tl::make_unexpected(ok.error());
-    }
-    isolated.resize(topology->vertex_count());
-    for (Index v = 0; v < topology->vertex_count(); ++v) {
-      isolated[v] = topology->is_isolated(v) ? 1 : 0;
-    }
-    return scheme.refinement(mesh, *topology, options.rules, context, stencil);
-  }();
+  auto refined = refined_once(mesh, options, context);
   if (!refined) return tl::make_unexpected(refined.error());
   if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  const Index control_points = stencil.row_count();
-  refined->points.resize(control_points);
-  const auto topology = Topology::build(*refined);
+  const Index control_points = refined->mesh.vertex_count();
+  const auto topology = Topology::build(refined->mesh);
   if (!topology) return tl::make_unexpected(topology.error());
   auto limits =
-      scheme.given_limits(*refined, *topology, options.rules, mesh.vertex_count(), context);
+      scheme.given_limits(refined->mesh, *topology, options.rules, mesh.vertex_count(), context);
   if (!limits) return tl::make_unexpected(limits.error());
   auto elimination = Elimination::build(std::move(*limits), control_points, context);
   if (!elimination) return tl::make_unexpected(elimination.error());
-  auto rows =
-      PatchRows::build(*refined, *topology, options.rules, level_of(options.samples), {}, context);
+  auto rows = PatchRows::build(refined->mesh, *topology, options.rules, level_of(options.samples),
+                               refined->sampled, context, Sides::shared);
   if (!rows) return tl::make_unexpected(rows.error());
-  auto layout = std::make_unique<const PatchLayout>(std::move(*rows), control_points);
+  auto layout = std::make_unique<const PatchLayout>(
+      std::move(*rows),
+      patches_by_neighbourhood(*topology, refined->sampled, PatchLayout::kPatches), control_points);
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
   auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
-  refined->points = {};
-  annotate(*refined, options.rules);
+  refined->mesh.points = {};
+  annotate(refined->mesh, options.rules);
+  refined->mesh.annotate("refined", "1");
   return SimilarityPrepared{options,
-                            std::move(*refined),
-                            std::move(stencil),
-                            std::move(isolated),
+                            std::move(refined->mesh),
+                            std::move(refined->stencil),
+                            std::move(refined->dummies),
+                            std::move(refined->kept),
+                            std::move(refined->isolated),
                             structure_of(mesh),
                             std::move(*elimination),
                             std::move(layout),

@@ -16,7 +16,9 @@ namespace surpass {
 struct SimilarityPrepared {
   SimilarityOptions options;
   Mesh refined;                         ///< the given mesh after one step, annotated
-  TiledRows stencil;                    ///< its vertices over the given ones
+  TiledRows stencil;                    ///< refined vertices over the given ones and the dummies
+  std::vector<Index> dummies;           ///< #dummies: the given vertices where they start
+  std::vector<Index> kept;              ///< #control: their rows of the stencil; empty: all
   std::vector<unsigned char> isolated;  ///< #given: no face, so not part of the surface
   Mesh given;                           ///< its faces, creases and corners, without points
   Elimination elimination;
@@ -28,6 +30,11 @@ struct SimilarityPrepared {
   [[nodiscard]] std::size_t given_count() const { return isolated.size(); }
   [[nodiscard]] std::size_t control_count() const { return elimination.control_count(); }
 };
+
+/// #control by width: the reference that the given numbers (#given by width) refine to.
+[[nodiscard]] std::vector<double> refine_given(const SimilarityPrepared& prepared,
+                                               std::size_t width, std::span<const double> given,
+                                               const Context& context);
 
 [[nodiscard]] Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh,
                                                             const SimilarityOptions& options,

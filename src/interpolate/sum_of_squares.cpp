@@ -1,6 +1,7 @@
 // Energies that see each coordinate alone: one small matrix for every kind of patch.
 #include <Eigen/Core>
 
+#include "interpolate/each_machine.hpp"
 #include "interpolate/patch_energy.hpp"
 
 namespace surpass {
@@ -50,8 +51,6 @@ class SumOfSquares final : public PatchEnergy {
   std::vector<KindForm> forms_;  // for each kind of patch
 };
 
-constexpr std::size_t kLanes = PatchLayout::kLanes;
-
 // y += matrix x for the points of one patch.
 void apply_matrix(const Matrix& matrix, const Index* local, std::size_t width, const double* x,
                   double* y) {
@@ -66,19 +65,32 @@ void apply_matrix(const Matrix& matrix, const Index* local, std::size_t width, c
   }
 }
 
-// The same for kLanes patches and three right-hand sides, the case that matters.
-void apply_matrix_abreast(const Matrix& matrix, const Index* local, const double* x, double* y,
-                          std::vector<LaneVectors>& gathered) {
-  const auto n = static_cast<std::size_t>(matrix.cols());
-  gathered.resize(n);
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    for (std::size_t b = 0; b < n; ++b) gathered[b].set(l, x + std::size_t{3} * local[l * n + b]);
-  }
+// The same for kLanes patches and three right-hand sides, the case that matters: n points with a
+// patch in every lane.
+SURPASS_FOR_EACH_MACHINE("avx512f", "avx2", "default")
+void times_abreast(const double* matrix, std::size_t n, const LaneVectors* points,
+                   LaneVectors* sums) {
   for (std::size_t a = 0; a < n; ++a) {
-    const double* row = matrix.data() + a * n;
-    LaneVectors sum;
-    for (std::size_t b = 0; b < n; ++b) sum.add(Lanes::all(row[b]), gathered[b]);
-    for (std::size_t l = 0; l < kLanes; ++l) sum.add_to(l, y + std::size_t{3} * local[l * n + a]);
+    const double* row = matrix + a * n;
+    LaneVectors sum = {};
+    for (std::size_t b = 0; b < n; ++b) {
+      for (std::size_t c = 0; c < 3; ++c) sum.of[c] += row[b] * points[b].of[c];
+    }
+    sums[a] = sum;
+  }
+}
+
+void apply_matrix_abreast(const Matrix& matrix, const Index* local, const double* x, double* y,
+                          std::vector<LaneVectors>& points, std::vector<LaneVectors>& sums) {
+  const auto n = static_cast<std::size_t>(matrix.cols());
+  points.resize(n);
+  sums.resize(n);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    for (std::size_t b = 0; b < n; ++b) points[b].set(l, x + std::size_t{3} * local[l * n + b]);
+  }
+  times_abreast(matrix.data(), n, points.data(), sums.data());
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    for (std::size_t a = 0; a < n; ++a) sums[a].add_to(l, y + std::size_t{3} * local[l * n + a]);
   }
 }
 
@@ -99,15 +111,13 @@ void apply_rows(const Matrix& rows, const Index* local, std::size_t width, const
 void SumOfSquares::product(const Context& context, std::size_t width, std::span<const double> x,
                            std::span<double> y) const {
   layout_.add_up(context, width, y, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    std::vector<double> own(values.size());
-    for (std::size_t k = 0; k < chunk.points.size(); ++k) {
-      std::copy_n(x.data() + chunk.points[k] * width, width, own.data() + k * width);
-    }
-    std::vector<LaneVectors> gathered;
+    const auto own = chunk.copy(width, x);
+    std::vector<LaneVectors> points;
+    std::vector<LaneVectors> sums;
     layout_.for_groups(chunk, [&](Index kind, const Index* local, std::size_t lanes) {
       const KindForm& f = forms_[kind];
       if (f.matrix.size() != 0 && width == 3 && lanes == kLanes) {
-        apply_matrix_abreast(f.matrix, local, own.data(), values.data(), gathered);
+        apply_matrix_abreast(f.matrix, local, own.data(), values.data(), points, sums);
         return;
       }
       for (std::size_t l = 0; l < lanes; ++l, local += layout_.rows().kinds()[kind].columns) {

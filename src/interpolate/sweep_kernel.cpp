@@ -2,15 +2,9 @@
 
 #include <cmath>
 
+#include "interpolate/each_machine.hpp"
+
 namespace surpass {
-// The same operations on wider registers have the same bits, so each machine may use its own. (The
-// choice is made before a sanitizer is ready for it.)
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define SURPASS_FOR_EACH_MACHINE [[gnu::target_clones("avx2", "default")]]
-#else
-#define SURPASS_FOR_EACH_MACHINE
-#endif
 
 namespace {
 
@@ -126,26 +120,26 @@ template <bool kMeasured, class Column>
   }
 }
 
-SURPASS_FOR_EACH_MACHINE
+SURPASS_FOR_EACH_MACHINE("avx2", "default")
 void sweep_near(const OrderedRows& rows, std::size_t level, std::size_t width,
                 const SweepPoints& points, const SweepStep& sweep) {
   sweep_any<false>(rows, level, width, rows.near, points, sweep, 1, nullptr);
 }
 
-SURPASS_FOR_EACH_MACHINE
+SURPASS_FOR_EACH_MACHINE("avx2", "default")
 void sweep_far(const OrderedRows& rows, std::size_t level, std::size_t width,
                const SweepPoints& points, const SweepStep& sweep) {
   sweep_any<false>(rows, level, width, rows.far, points, sweep, 1, nullptr);
 }
 
-SURPASS_FOR_EACH_MACHINE
+SURPASS_FOR_EACH_MACHINE("avx2", "default")
 void measure_near(const OrderedRows& rows, std::size_t level, std::size_t width,
                   const SweepPoints& points, const SweepStep& sweep, double scale,
                   ErrorNorms* norms) {
   sweep_any<true>(rows, level, width, rows.near, points, sweep, scale, norms);
 }
 
-SURPASS_FOR_EACH_MACHINE
+SURPASS_FOR_EACH_MACHINE("avx2", "default")
 void measure_far(const OrderedRows& rows, std::size_t level, std::size_t width,
                  const SweepPoints& points, const SweepStep& sweep, double scale,
                  ErrorNorms* norms) {

@@ -26,11 +26,12 @@ class CatmullClark final : public SubdivisionScheme {
   [[nodiscard]] Result<std::unique_ptr<const SurfaceEvaluator>> evaluator(
       const Mesh& mesh, const Topology& topology, const Rules& rules,
       const Context& context) const override;
+  [[nodiscard]] bool makes_corners_faces() const override { return true; }
   [[nodiscard]] Result<SparseRows> given_limits(const Mesh& refined, const Topology& topology,
                                                 const Rules& rules, Index given,
                                                 const Context& context) const override;
-  [[nodiscard]] Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules,
-                                             int level) const override;
+  [[nodiscard]] Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules, int level,
+                                             std::span<const unsigned char> sides) const override;
 };
 
 }  // namespace surpass::catmull_clark

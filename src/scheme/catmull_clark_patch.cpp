@@ -5,64 +5,20 @@
 // sample nine points of a patch. They do not say what they do where a patch has an extraordinary
 // corner; here first derivatives become the limit tangents, and higher ones are left out.
 #include <array>
-#include <functional>
-#include <map>
 
 #include <Eigen/Core>
 
 #include "scheme/catmull_clark.hpp"
 #include "scheme/catmull_clark_derivatives.hpp"
-#include "scheme/kept_rows.hpp"
+#include "scheme/fine_piece.hpp"
 
 namespace surpass::catmull_clark {
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Row = Eigen::RowVectorXd;
 
-// The piece after some refinements, and the weights of its points over those of the piece.
-struct Fine {
-  Mesh mesh;
-  Topology topology;
-  Sharpness sharpness;
-  Matrix weights;
-
-  [[nodiscard]] FaceRing ring(Index v) const { return FaceRing::around(topology, sharpness, v); }
-};
-
-Result<Fine> as_given(const Mesh& piece, const Rules& rules) {
-  auto topology = Topology::build(piece);
-  if (!topology) return tl::make_unexpected(topology.error());
-  auto sharpness = Sharpness::build(piece, *topology, rules.boundary);
-  if (!sharpness) return tl::make_unexpected(sharpness.error());
-  const auto n = static_cast<Eigen::Index>(piece.points.size());
-  return Fine{piece, std::move(*topology), std::move(*sharpness), Matrix::Identity(n, n)};
-}
-
-Result<Fine> refined(const CatmullClark& scheme, const Fine& coarse, const Rules& rules) {
-  const Context one_thread{.threads = 1};
-  KeptRows stencil;
-  auto mesh = scheme.refinement(coarse.mesh, coarse.topology, rules, one_thread, stencil);
-  if (!mesh) return tl::make_unexpected(mesh.error());
-  mesh->points.resize(stencil.row_count());
-  auto fine = as_given(*mesh, rules);
-  if (!fine) return fine;
-  fine->weights = Matrix::Zero(stencil.row_count(), coarse.weights.cols());
-  for (Index i = 0; i < stencil.row_count(); ++i) {
-    const RowView row = stencil.row(i);
-    for (std::size_t k = 0; k < row.columns.size(); ++k) {
-      fine->weights.row(i) += row.weights[k] * coarse.weights.row(row.columns[k]);
-    }
-  }
-  return fine;
-}
-
-Row over_piece(const Fine& fine, const FaceRing& ring, const Mask& mask) {
-  Row row = Row::Zero(fine.weights.cols());
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] != 0) row += mask[i] * fine.weights.row(ring.columns[i]);
-  }
-  return row;
+FaceRing ring_of(const FinePiece& piece, Index v) {
+  return FaceRing::around(piece.topology, piece.sharpness, v);
 }
 
 // The samples of a patch: a square of fine vertices, row after row, from corner 0 along side 0.
@@ -100,9 +56,11 @@ Samples::Samples(const Topology& topology, int level)
 
 class Builder {
  public:
-  Builder(const Fine& piece, const Fine& fine, int level)
+  Builder(const FinePiece& piece, const FinePiece& fine, int level,
+          std::span<const unsigned char> sides)
       : piece_(piece),
         fine_(fine),
+        sides_(sides),
         samples_(fine.topology, level),
         scale_(std::ldexp(1.0, level)) {}
   PatchKind build();
@@ -118,8 +76,9 @@ class Builder {
   [[nodiscard]] Along along(const FaceRing& ring, Index neighbour) const;
   [[nodiscard]] std::optional<Row> tangent(std::size_t i, std::size_t j, int axis) const;
   void add_third(int axis, std::size_t line);
+  [[nodiscard]] double times(int axis, std::size_t i, std::size_t j) const;
   void add_row(const Row& row, Derivative which, double samples, double part) {
-    if (row.isZero(0)) return;
+    if (samples == 0 || row.isZero(0)) return;
     kind_.add({row.data(), static_cast<std::size_t>(row.size())}, which, samples, part);
   }
   [[nodiscard]] std::optional<Row>& second(int axis, std::size_t line, std::size_t along) {
@@ -128,8 +87,9 @@ class Builder {
     return second_[static_cast<std::size_t>(axis)][at];
   }
 
-  const Fine& piece_;
-  const Fine& fine_;
+  const FinePiece& piece_;
+  const FinePiece& fine_;
+  std::span<const unsigned char> sides_;
   Samples samples_;
   double scale_;
   std::array<std::vector<std::optional<Row>>, 2> second_;  // for each axis, of every sample
@@ -141,8 +101,8 @@ Builder::Along Builder::along(const FaceRing& ring, Index neighbour) const {
       std::find(ring.spokes.begin(), ring.spokes.end(), neighbour) - ring.spokes.begin());
   const SpokeDerivatives found = spoke_derivatives(ring, spoke);
   Along along;
-  if (found.first) along.first = scale_ * over_piece(fine_, ring, *found.first);
-  if (found.second) along.second = scale_ * scale_ * over_piece(fine_, ring, *found.second);
+  if (found.first) along.first = scale_ * fine_.over_piece(ring.columns, *found.first);
+  if (found.second) along.second = scale_ * scale_ * fine_.over_piece(ring.columns, *found.second);
   return along;
 }
 
@@ -152,13 +112,22 @@ std::optional<Row> Builder::tangent(std::size_t i, std::size_t j, int axis) cons
   if (i % n != 0 || j % n != 0) return {};
   const Index corner = j == 0 ? (i == 0 ? 0 : 1) : (i == 0 ? 3 : 2);
   const Index other = axis == 0 ? corner ^ 1 : 3 - corner;
-  const FaceRing ring = piece_.ring(piece_.mesh.face_vertices[corner]);
+  const FaceRing ring = ring_of(piece_, piece_.mesh.face_vertices[corner]);
   const auto spoke = static_cast<std::size_t>(
       std::find(ring.spokes.begin(), ring.spokes.end(), piece_.mesh.face_vertices[other]) -
       ring.spokes.begin());
   const auto mask = tangent_along(ring, spoke);
   if (!mask) return {};
-  return over_piece(piece_, ring, *mask);
+  return piece_.over_piece(ring.columns, *mask);
+}
+
+// How many times a derivative counts. Where two sides meet it is one along either of them.
+double Builder::times(int axis, std::size_t i, std::size_t j) const {
+  const std::size_t n = samples_.side();
+  const bool along_u = axis == 0;
+  if (j % n == 0 && (along_u || i % n != 0)) return sides_[j == 0 ? 0 : 2];
+  if (i % n == 0) return sides_[i == 0 ? 3 : 1];
+  return 1;
 }
 
 void Builder::add_sample(std::size_t i, std::size_t j) {
@@ -168,14 +137,15 @@ void Builder::add_sample(std::size_t i, std::size_t j) {
   // Of the four cells around a sample, those inside the patch.
   const double part =
       (end_i ? 1.0 : 2.0) * (end_j ? 1.0 : 2.0) / (4.0 * static_cast<double>(n * n));
-  const FaceRing ring = fine_.ring(samples_.at(i, j));
+  const FaceRing ring = ring_of(fine_, samples_.at(i, j));
   const Index beside = samples_.at(i < n ? i + 1 : i - 1, j);
   const Index above = samples_.at(i, j < n ? j + 1 : j - 1);
   for (const int axis : {0, 1}) {
     Along found = along(ring, axis == 0 ? beside : above);
     if (!found.first) found.first = tangent(i, j, axis);
-    if (found.first) add_row(*found.first, Derivative::first, 1, part);
-    if (found.second) add_row(*found.second, Derivative::second, 1, part);
+    const double count = times(axis, i, j);
+    if (found.first) add_row(*found.first, Derivative::first, count, count * part);
+    if (found.second) add_row(*found.second, Derivative::second, count, count * part);
     second_[static_cast<std::size_t>(axis)].push_back(std::move(found.second));
   }
   // The cell between the two spokes.
@@ -184,8 +154,10 @@ void Builder::add_sample(std::size_t i, std::size_t j) {
     const Index b = ring.spokes[(f + 1) % ring.size()];
     if (!((a == beside && b == above) || (a == above && b == beside))) continue;
     const auto mixed = mixed_derivative(ring, f);
-    if (mixed)
-      add_row(scale_ * scale_ * over_piece(fine_, ring, *mixed), Derivative::mixed, 1, part);
+    const double count = end_i && end_j ? 1 : times(0, i, j);
+    if (!mixed) break;
+    add_row(scale_ * scale_ * fine_.over_piece(ring.columns, *mixed), Derivative::mixed, count,
+            count * part);
     break;
   }
 }
@@ -204,8 +176,10 @@ void Builder::add_third(int axis, std::size_t line) {
     if (a && b) segments.emplace_back(scale_ * (*b - *a));
   }
   if (segments.empty()) return;
-  const double share = static_cast<double>(known) / static_cast<double>(segments.size());
-  const double part = (line % n == 0 ? 1.0 : 2.0) / (2.0 * static_cast<double>(n * n));
+  const double times_line = axis == 0 ? times(0, 1, line) : times(1, line, 1);
+  const double share =
+      times_line * static_cast<double>(known) / static_cast<double>(segments.size());
+  const double part = times_line * (line % n == 0 ? 1.0 : 2.0) / (2.0 * static_cast<double>(n * n));
   for (std::size_t k = 0; k < segments.size();) {
     // In the middle of a regular patch they are all the same.
     std::size_t same = k + 1;
@@ -229,13 +203,13 @@ PatchKind Builder::build() {
 
 }  // namespace
 
-Result<PatchKind> CatmullClark::patch_kind(const Mesh& piece, const Rules& rules, int level) const {
-  const auto given = as_given(piece, rules);
+Result<PatchKind> CatmullClark::patch_kind(const Mesh& piece, const Rules& rules, int level,
+                                           std::span<const unsigned char> sides) const {
+  const auto given = FinePiece::as_given(piece, rules);
   if (!given) return tl::make_unexpected(given.error());
-  Result<Fine> fine = refined(*this, *given, rules);
-  for (int k = 1; fine && k < level; ++k) fine = refined(*this, *fine, rules);
+  const auto fine = given->refined(*this, rules, level);
   if (!fine) return tl::make_unexpected(fine.error());
-  return Builder(*given, *fine, level).build();
+  return Builder(*given, *fine, level, sides).build();
 }
 
 }  // namespace surpass::catmull_clark

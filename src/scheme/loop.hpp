@@ -20,6 +20,11 @@ class Loop final : public SubdivisionScheme {
   [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
                                                          const Rules& rules,
                                                          const Context& context) const override;
+  [[nodiscard]] Result<SparseRows> given_limits(const Mesh& refined, const Topology& topology,
+                                                const Rules& rules, Index given,
+                                                const Context& context) const override;
+  [[nodiscard]] Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules, int level,
+                                             std::span<const unsigned char> sides) const override;
   [[nodiscard]] Spot spot(const Topology& topology, const Sharpness& sharpness,
                           Index v) const override;
   [[nodiscard]] LimitJet jet(const Mesh& mesh, const Topology& topology, Index v) const override;

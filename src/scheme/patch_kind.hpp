@@ -17,8 +17,9 @@ struct PatchKind {
   std::size_t columns = 0;             ///< control points that they are taken of
   std::vector<double> weights;         ///< #rows by columns
   std::vector<Derivative> derivative;  ///< #rows
-  std::vector<double> count;           ///< #rows: samples of this patch that the row stands for
-  std::vector<double> area;            ///< #rows: part of the patch, 0 to 1, around the sample
+  std::vector<double> count;           ///< #rows: samples that the row stands for
+  std::vector<double> area;  ///< #rows: part of the patch, and of its neighbour where sides are
+                             ///< shared, around the sample
 
   [[nodiscard]] std::size_t row_count() const { return derivative.size(); }
   [[nodiscard]] std::span<const double> row(std::size_t r) const {

@@ -17,7 +17,10 @@ namespace {
 // joined alike are equal.
 class Piece {
  public:
-  void cut(const Topology& topology, const Sharpness& sharpness, Index f);
+  /// Its faces and vertices alone: the rest is known of a regular piece.
+  void gather(const Topology& topology, Index f);
+  void cut(const Topology& topology, const Sharpness& sharpness, Index f,
+           std::span<const unsigned char> sides);
 
   [[nodiscard]] const std::vector<Index>& vertices() const { return vertices_; }
   /// Everything that the derivatives depend on.
@@ -94,18 +97,24 @@ void Piece::note_sharpness(const Topology& topology, const Sharpness& sharpness)
   }
 }
 
-void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f) {
+void Piece::gather(const Topology& topology, Index f) {
   vertices_.clear();
   faces_.clear();
   corners_.clear();
-  creases_.clear();
-  sharp_.clear();
-  key_.clear();
   const Index begin = topology.face_begin(f);
   add_face(topology, begin);
   for (Index h = begin; h < topology.face_end(f); ++h) walk_around(topology, h);
+}
+
+void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f,
+                std::span<const unsigned char> sides) {
+  creases_.clear();
+  sharp_.clear();
+  key_.clear();
+  gather(topology, f);
   note_sharpness(topology, sharpness);
   key_.append(reinterpret_cast<const char*>(corners_.data()), corners_.size() * sizeof(Index));
+  key_.append(reinterpret_cast<const char*>(sides.data()), sides.size());
   append(kNone);
   for (const Crease& crease : creases_) append(crease);
   append(kNone);
@@ -158,6 +167,16 @@ bool all_different(std::array<Index, 16> vertices) {
   return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end();
 }
 
+// The same of a triangle whose corners are plain and of valence 6: twelve vertices.
+bool regular_triangle(const Topology& topology, const Sharpness& sharpness, Index f, Piece& piece) {
+  for (Index h = topology.face_begin(f); h < topology.face_end(f); ++h) {
+    const Index v = topology.tail(h);
+    if (topology.faces_at(v) != 6 || !sharpness.is_plain(v)) return false;
+  }
+  piece.gather(topology, f);
+  return piece.vertices().size() == 12;
+}
+
 // A patch at a vertex of valence n has some 2 n columns, and there are n such patches.
 constexpr std::size_t kMostColumns = 4096;
 constexpr std::size_t kMostColumnsTogether = kNone / 2;
@@ -170,47 +189,100 @@ tl::unexpected<Error> too_many_columns(std::size_t columns) {
                           columns, kMostColumns / 2));
 }
 
-struct KindTable {
+// How many times the samples on each side of a face count for its patch.
+class SideCounts {
+ public:
+  SideCounts(const Topology& topology, const Sharpness& sharpness,
+             std::span<const unsigned char> sampled, Sides sides)
+      : topology_(topology), sharpness_(sharpness), sampled_(sampled), sides_(sides) {}
+
+  std::span<const unsigned char> of(Index f) {
+    counts_.clear();
+    const Index begin = topology_.face_begin(f);
+    for (Index h = begin; h < topology_.face_end(f); ++h) counts_.push_back(count(h, h - begin));
+    return counts_;
+  }
+
+ private:
+  // Of two numbers that a side has, the patch with the smaller one has its samples.
+  [[nodiscard]] unsigned char count(Index h, Index side) const {
+    const Index o = topology_.opposite(h);
+    if (sides_ == Sides::each || o == kNone) return 1;
+    const Index g = topology_.face(o);
+    const Index other = o - topology_.face_begin(g);
+    const bool together = (sampled_.empty() || sampled_[g] != 0) && other != side &&
+                          sharpness_.is_plain(topology_.tail(h)) &&
+                          sharpness_.is_plain(topology_.tail(o));
+    if (!together) return 1;
+    return side < other ? 2 : 0;
+  }
+
+  const Topology& topology_;
+  const Sharpness& sharpness_;
+  std::span<const unsigned char> sampled_;
+  Sides sides_;
+  std::vector<unsigned char> counts_;
+};
+
+class KindTable {
+ public:
   std::unordered_map<std::string, Index> numbers;
-  Index regular = kNone;
+  /// Of the regular quads, by the counts of their sides.
+  Index& regular(std::span<const unsigned char> sides) {
+    std::size_t at = 0;
+    for (const unsigned char count : sides) at = 3 * at + count;
+    return regular_[at];
+  }
+
+ private:
+  std::vector<Index> regular_ = std::vector<Index>(3 * 3 * 3 * 3, kNone);
 };
 
 }  // namespace
 
 Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                    int level, std::span<const unsigned char> sampled,
-                                   const Context& context) {
+                                   const Context& context, Sides sides) {
   const SubdivisionScheme& scheme = scheme_of(rules.scheme);
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
   PatchRows rows;
   KindTable table;
+  SideCounts counts(topology, *sharpness, sampled, sides);
   Piece piece;
   std::array<Index, 16> regular{};
+  const std::size_t usual = topology.common_degree() == 3 ? 12 : 16;
+  rows.columns_.reserve(std::min(usual * topology.face_count(), kMostColumnsTogether));
+  rows.offsets_.reserve(std::size_t{topology.face_count()} + 1);
+  rows.kind_of_.reserve(topology.face_count());
   for (Index f = 0; f < topology.face_count(); ++f) {
     if (f % parallel::kChunk == 0 && context.cancelled()) {
       return fail(ErrorCode::cancelled, "cancelled while setting up");
     }
     if (!sampled.empty() && sampled[f] == 0) continue;
-    const bool is_regular = topology.common_degree() == 4 &&
-                            regular_quad(topology, *sharpness, f, regular) &&
-                            all_different(regular);
-    if (is_regular && table.regular != kNone) {
-      rows.columns_.insert(rows.columns_.end(), regular.begin(), regular.end());
-      rows.kind_of_.push_back(table.regular);
+    const auto count = counts.of(f);
+    const bool is_regular =
+        topology.common_degree() == 4
+            ? regular_quad(topology, *sharpness, f, regular) && all_different(regular)
+            : topology.common_degree() == 3 && regular_triangle(topology, *sharpness, f, piece);
+    if (is_regular && table.regular(count) != kNone) {
+      const std::span<const Index> columns =
+          topology.common_degree() == 4 ? std::span<const Index>(regular) : piece.vertices();
+      rows.columns_.insert(rows.columns_.end(), columns.begin(), columns.end());
+      rows.kind_of_.push_back(table.regular(count));
     } else {
-      piece.cut(topology, *sharpness, f);
+      piece.cut(topology, *sharpness, f, count);
       if (piece.vertices().size() > kMostColumns || rows.columns_.size() > kMostColumnsTogether) {
         return too_many_columns(piece.vertices().size());
       }
       const auto [at, added] =
           table.numbers.try_emplace(piece.key(), static_cast<Index>(rows.kinds_.size()));
       if (added) {
-        auto kind = scheme.patch_kind(piece.mesh(), rules, level);
+        auto kind = scheme.patch_kind(piece.mesh(), rules, level, count);
         if (!kind) return tl::make_unexpected(kind.error());
         rows.kinds_.push_back(std::move(*kind));
       }
-      if (is_regular) table.regular = at->second;
+      if (is_regular) table.regular(count) = at->second;
       rows.columns_.insert(rows.columns_.end(), piece.vertices().begin(), piece.vertices().end());
       rows.kind_of_.push_back(at->second);
     }

@@ -15,6 +15,13 @@
 
 namespace surpass {
 
+/// Neighbouring patches have the samples on a side between them in common.
+enum class Sides {
+  each,    ///< every patch has the rows of all its samples
+  shared,  ///< one patch has those on a side for both, with twice their count and area, where the
+           ///< surface is smooth and the side's numbers in the two faces differ: half the work
+};
+
 /// The derivatives of every patch of a control mesh.
 class PatchRows {
  public:
@@ -35,7 +42,7 @@ class PatchRows {
   /// with `too_large` at valences of thousands, or when cancelled. O(#faces).
   static Result<PatchRows> build(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                  int level, std::span<const unsigned char> sampled,
-                                 const Context& context);
+                                 const Context& context, Sides sides = Sides::each);
 
  private:
   std::vector<Index> offsets_ = {0};

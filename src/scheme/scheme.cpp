@@ -230,7 +230,8 @@ Result<SparseRows> SubdivisionScheme::given_limits(const Mesh&, const Topology&,
   return no_derivatives(*this);
 }
 
-Result<PatchKind> SubdivisionScheme::patch_kind(const Mesh&, const Rules&, int) const {
+Result<PatchKind> SubdivisionScheme::patch_kind(const Mesh&, const Rules&, int,
+                                                std::span<const unsigned char>) const {
   return no_derivatives(*this);
 }
 

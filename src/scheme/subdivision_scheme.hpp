@@ -49,6 +49,9 @@ class SubdivisionScheme {
   [[nodiscard]] virtual Result<std::unique_ptr<const SurfaceEvaluator>> evaluator(
       const Mesh& mesh, const Topology& topology, const Rules& rules, const Context& context) const;
 
+  /// Refinement turns corner c into face c, a quad, and the vertices keep their numbers.
+  [[nodiscard]] virtual bool makes_corners_faces() const { return false; }
+
   /// The limit points of the given vertices as rows over the vertices of the mesh that they were
   /// refined to by one step. Here: fails as patch_kind does.
   [[nodiscard]] virtual Result<SparseRows> given_limits(const Mesh& refined,
@@ -58,10 +61,12 @@ class SubdivisionScheme {
 
   /// The derivatives of face 0 of a piece of a control mesh: that face and all that touch it, with
   /// the creases and corners that touch it. `level` refinements lead to its samples. Columns are
-  /// the vertices of the piece. Derivatives that cannot be told are left out. Here: fails, for the
-  /// scheme has none.
+  /// the vertices of the piece. `sides`: how many times the samples on each side of the face count;
+  /// 1, or 0 and 2 where one of two patches has them for both. Derivatives that cannot be told are
+  /// left out. Here: fails, for the scheme has none.
   [[nodiscard]] virtual Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules,
-                                                     int level) const;
+                                                     int level,
+                                                     std::span<const unsigned char> sides) const;
 
   /// See surpass::limit_mesh, but with its hole faces. Here: the refined vertices, moved to their
   /// limits.

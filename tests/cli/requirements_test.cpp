@@ -149,6 +149,51 @@ TEST_F(Requirements, NormalsOfTheGivenFileOrAnother) {
   EXPECT_NE(none.err.find("no normals"), std::string::npos);
 }
 
+// A normal on the boundary brings the dummy ring with it, unless told otherwise; its faces are
+// holes in the file, and both certificates hold for what is read from it.
+TEST_F(Requirements, OnTheBoundaryAreMetInsideADummyRing) {
+  const std::string given_path = data("quad_patch.ply");
+  const Mesh given = read_mesh(given_path)->mesh;
+  const auto topology = Topology::build(given).value();
+  Index rim = 0;
+  while (!topology.is_boundary(rim) || topology.faces_at(rim) != 2) ++rim;
+  const std::string path =
+      folder_.file("rim.json", list({{{"vertex", rim}, {"normal", {0.3, 0.1, 1}}}}).dump());
+  const std::string control = folder_ / "control.obj";
+  const std::string report_path = folder_ / "report.json";
+  const auto interpolated = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"interpolate", given_path,      "-o",       control,
+                                      "--scheme",    "catmull-clark", "--method", "similarity",
+                                      "--report",    report_path};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = surpass(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const json report = json::parse(slurp(report_path));
+    EXPECT_EQ(Schema(SURPASS_SCHEMA).complaint(report.dump()), "");
+    for (const json& r : report["similarity"].value("requirements", json::array())) {
+      EXPECT_LT(r["error"], 1e-14) << r;
+    }
+    EXPECT_EQ(
+        surpass({"check", control, "--against", given_path, "--tolerance", "1e-12", "--oracle"})
+            .status,
+        0);
+    return report["similarity"]["open"];
+  };
+  const auto hole_faces = [&] { return read_mesh(control)->mesh.hole_faces.size(); };
+  const std::size_t dummies = 2 * std::size_t{topology.boundary_edge_count()};
+  EXPECT_EQ(interpolated({}), "boundary-rules");
+  EXPECT_EQ(hole_faces(), 0U);
+  EXPECT_EQ(interpolated({"--requirements", path}), "dummy-ring");
+  EXPECT_EQ(hole_faces(), dummies);
+  EXPECT_EQ(interpolated({"--requirements", path, "--open", "boundary-rules"}), "boundary-rules");
+  EXPECT_EQ(interpolated({"--open", "dummy-ring"}), "dummy-ring");
+  EXPECT_EQ(hole_faces(), dummies);
+  const Outcome loop = surpass({"interpolate", data("tube.obj"), "-o", control, "--method",
+                                "similarity", "--open", "dummy-ring", "--scheme", "loop"});
+  EXPECT_EQ(loop.status, 1) << loop.err;
+  EXPECT_NE(loop.err.find("dummy ring"), std::string::npos);
+}
+
 TEST_F(Requirements, AreOfTheMethodsThatHaveFreedom) {
   const Outcome outcome = run(list({kNormal}), {"--method", "progressive"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;

@@ -5,8 +5,9 @@
 
 namespace surpass::test {
 
-/// Expects every form, under both boundary rules, to meet the given vertices to 1e-12, at no and at
-/// all iterations. False where the mesh is refused, which must be because it is not manifold.
+/// Expects every form to meet the given vertices to 1e-12, at no and at all iterations; on open
+/// meshes under both boundary rules and inside a dummy ring. False where the mesh is refused, which
+/// must be because it is not manifold.
 bool is_interpolated_by_similarity(const Mesh& given);
 
 /// How many of the files' meshes are.

@@ -33,9 +33,12 @@ struct Rows {
   std::vector<double> area;
 };
 
+// Of the faces that are not holes; each patch by itself, where the method shares what it can.
 Rows all_rows(const Mesh& refined, const Rules& rules) {
   const auto topology = Topology::build(refined).value();
-  const auto patches = PatchRows::build(refined, topology, rules, 1, {}, {}).value();
+  std::vector<unsigned char> sampled(refined.face_count(), 1);
+  for (const Index f : refined.hole_faces) sampled[f] = 0;
+  const auto patches = PatchRows::build(refined, topology, rules, 1, sampled, {}).value();
   Rows all;
   std::vector<Vector> rows;
   for (std::size_t p = 0; p < patches.patch_count(); ++p) {
@@ -161,6 +164,24 @@ void expect_dense_solution(const Mesh& mesh, SimilarityOptions options, double t
   EXPECT_LT((matrix_of(found->control.points) - expected).cwiseAbs().maxCoeff(), tolerance);
 }
 
+// Loop surfaces on the same machinery, at extraordinary vertices and boundaries.
+TEST(Similarity, OnLoopSurfacesIsTheDenseSolution) {
+  std::mt19937_64 random(8);
+  for (const Mesh& mesh : {test::octahedron(), test::bipyramid(7), test::triangle_grid(4, 3)}) {
+    for (const Boundary boundary : {Boundary::edge_only, Boundary::edge_and_corner}) {
+      SimilarityOptions options;
+      options.rules = {Scheme::loop, boundary};
+      const Mesh given = test::jitter(mesh, random, 0.15);
+      expect_dense_solution(given, options, 1e-11);
+      options.similarity = Similarity::fair;
+      options.membrane = 0.3;
+      expect_dense_solution(given, options, 1e-11);
+      options.similarity = Similarity::directions;
+      expect_dense_solution(given, options, 1e-8);
+    }
+  }
+}
+
 Mesh creased_grid() {
   std::mt19937_64 random(3);
   Mesh mesh = test::jitter(test::quad_grid(4, 4), random, 0.1);
@@ -191,6 +212,97 @@ TEST(Similarity, IsTheDenseSolution) {
       }
     }
   }
+}
+
+// The given mesh inside a ring of quads whose outer vertices start at the boundary's; refined, and
+// of it what the method is to keep: faces of the surface, then the inner half of each quad.
+Mesh refined_in_dummy_ring(const Mesh& given, const Rules& rules) {
+  Mesh extended = given;
+  const auto topology = Topology::build(given).value();
+  for (const auto& loop : boundary_loops(topology)) {
+    const Index first = extended.vertex_count();
+    const auto n = static_cast<Index>(loop.size());
+    for (const Index h : loop) extended.points.push_back(given.points[topology.tail(h)]);
+    for (Index k = 0; k < n; ++k) {
+      extended.add_face(std::array{topology.head(loop[k]), topology.tail(loop[k]), first + k,
+                                   first + (k + 1) % n});
+    }
+  }
+  const Mesh fine = refine(extended, rules, 1).value();
+  Mesh kept;
+  std::vector<Index> number(fine.vertex_count(), kNone);
+  const auto for_kept = [&](auto&& use) {
+    for (Index f = 0; f < fine.face_count(); ++f) {
+      if (f < given.corner_count() || (f - given.corner_count()) % 4 < 2) use(f);
+    }
+  };
+  for_kept([&](Index f) {
+    for (const Index v : fine.face(f)) number[v] = 0;
+  });
+  for (Index v = 0; v < fine.vertex_count(); ++v) {
+    if (number[v] == kNone) continue;
+    number[v] = kept.vertex_count();
+    kept.points.push_back(fine.points[v]);
+  }
+  for_kept([&](Index f) {
+    std::vector<Index> face;
+    for (const Index v : fine.face(f)) face.push_back(number[v]);
+    if (f >= given.corner_count()) kept.hole_faces.push_back(kept.face_count());
+    kept.add_face(face);
+  });
+  return kept;
+}
+
+TEST(Similarity, InsideADummyRingIsTheDenseSolution) {
+  for (const Mesh& mesh : {jittered(test::quad_grid(4, 3)), jittered(test::triangle_grid(3, 3))}) {
+    for (const Similarity similarity :
+         {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+      SCOPED_TRACE(name_of(similarity));
+      SimilarityOptions options;
+      options.open = OpenMeshes::dummy_ring;
+      options.similarity = similarity;
+      options.membrane = 0.3;
+      options.scaling = Scaling::none;
+      options.solver_tolerance = 1e-14;
+      options.max_iterations = 20000;
+      const auto found = interpolate_similar(mesh, options);
+      ASSERT_TRUE(found) << describe(found.error());
+      const Mesh refined = refined_in_dummy_ring(mesh, options.rules);
+      EXPECT_EQ(found->control.face_vertices, refined.face_vertices);
+      EXPECT_EQ(found->control.hole_faces, refined.hole_faces);
+      const Matrix expected = dense_solution(options, all_rows(refined, options.rules),
+                                             limits_of(refined, options.rules, mesh.vertex_count()),
+                                             matrix_of(refined.points), matrix_of(mesh.points));
+      const double tolerance = similarity == Similarity::directions ? 1e-7 : 1e-10;
+      EXPECT_LT((matrix_of(found->control.points) - expected).cwiseAbs().maxCoeff(), tolerance);
+    }
+  }
+}
+
+// Nothing of the surface depends on the rule at the outer boundary, and closed meshes have no ring.
+TEST(Similarity, TheDummyRingReplacesBoundaryRules) {
+  Mesh mesh = jittered(test::quad_grid(5, 4));
+  mesh.creases = {{{7, 12}, 2.5F}, {{2, 7}}};  // one of them ends at the boundary
+  SimilarityOptions options;
+  options.open = OpenMeshes::dummy_ring;
+  options.rules.boundary = Boundary::edge_only;
+  const auto one = interpolate_similar(mesh, options).value();
+  options.rules.boundary = Boundary::edge_and_corner;
+  const auto other = interpolate_similar(mesh, options).value();
+  EXPECT_EQ(one.control.points, other.control.points);
+  EXPECT_EQ(one.report.solve.final.max, other.report.solve.final.max);
+  EXPECT_LT(one.report.solve.final.max, 1e-14);
+  const Mesh drawn = limit_mesh(one.control, options.rules, 1).value();
+  EXPECT_EQ(drawn.face_count(), 4 * 4 * 12) << "the surface alone";
+  const Mesh closed = jittered(test::prism(5));
+  const auto with = interpolate_similar(closed, options).value();
+  options.open = OpenMeshes::boundary_rules;
+  EXPECT_EQ(with.control.points, interpolate_similar(closed, options).value().control.points);
+  options.open = OpenMeshes::dummy_ring;
+  options.rules = {Scheme::loop};
+  const auto loop = SimilarityInterpolator::create(test::triangle_grid(3, 3), options);
+  ASSERT_FALSE(loop);
+  EXPECT_EQ(loop.error().code, ErrorCode::invalid_argument);
 }
 
 TEST(Similarity, ThinPlateAloneIsTheDenseSolution) {
@@ -270,7 +382,8 @@ TEST(Similarity, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(refused({.solver_tolerance = 0}), ErrorCode::invalid_argument);
   EXPECT_EQ(refused({.similarity = Similarity::fair, .thin_plate = 0}),
             ErrorCode::invalid_argument);
-  EXPECT_EQ(refused({.rules = {Scheme::loop}}), ErrorCode::unsuitable_for_scheme);
+  EXPECT_EQ(refused({.rules = {Scheme::loop}}), ErrorCode::unsuitable_for_scheme) << "quads";
+  EXPECT_EQ(refused({.rules = {Scheme::doo_sabin}}), ErrorCode::unsuitable_for_scheme);
   EXPECT_TRUE(interpolate_similar(test::bipyramid(300)));
   const auto pole = SimilarityInterpolator::create(test::bipyramid(3000));
   ASSERT_FALSE(pole);

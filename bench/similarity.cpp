@@ -1,0 +1,89 @@
+// Interpolation by similarity on quads, from file to file as the paper's times are told, to its
+// tolerance 1e-2: how it grows, what it holds in memory, and which solver is faster.
+#include <surpass/io.hpp>
+#include <surpass/quality.hpp>
+
+#include <memory>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "contenders.hpp"
+#include "program.hpp"
+
+namespace surpass::bench {
+namespace {
+
+// The quads as a file, and what is made of it, as long as anybody needs them.
+struct Files {
+  std::string obj;
+  Files(const Mesh& mesh, std::string path) : obj(std::move(path)) {
+    if (const auto ok = write_mesh(mesh, obj); !ok) throw std::runtime_error(describe(ok.error()));
+  }
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+  ~Files() {
+    ::unlink(obj.c_str());
+    ::unlink(control().c_str());
+  }
+  [[nodiscard]] std::string control() const { return obj + ".control.ply"; }
+};
+
+struct Run {
+  std::shared_ptr<const Files> files;
+  std::string form;
+  std::string solver;
+  [[nodiscard]] std::vector<std::string> arguments() const {
+    return {"interpolate",   files->obj, "-o",         files->control(), "--scheme",
+            "catmull-clark", "--method", "similarity", "--similarity",   form,
+            "--solver",      solver};
+  }
+};
+
+Verdict judge(const Workload& workload, const Run& run) {
+  const auto read = read_mesh(run.files->control());
+  if (!read) throw std::runtime_error(describe(read.error()));
+  const Mesh& given = workload.quads();
+  const auto certificate = certify(read->mesh, given.points, {.scheme = Scheme::catmull_clark});
+  if (!certificate) throw std::runtime_error(describe(certificate.error()));
+  const auto report = report_of_program(run.arguments());
+  return {.error = certificate->max,
+          .sweeps = report.at("iterations").get<double>(),
+          .peak = report.at("peak_memory_bytes").get<double>() /
+                  static_cast<double>(given.points.size())};
+}
+
+void add_run(Harness& harness, Index side, const std::string& form, const std::string& solver,
+             const std::string& tool) {
+  harness.add(
+      {.step = "similarity, " + form,
+       .tool = tool,
+       .counted =
+           "surpass interpolate --method similarity, OBJ of quads in, binary PLY out, solver "
+           "tolerance 1e-2; a process of its own",
+       .slow = true},
+      side,
+      [form, solver, tool](const Workload& w) {
+        const std::string path = w.obj() + "." + form + "." + solver + ".obj";
+        const Run run{std::make_shared<const Files>(w.quads(), path), form, solver};
+        return [run] {
+          run_program(run.arguments());
+          return run;
+        };
+      },
+      judge);
+}
+
+}  // namespace
+
+void add_similarity(Harness& harness, Index side) {
+  constexpr Index kMostAssembled = 32;  // seconds and a gigabyte at ten times as many faces
+  for (const char* form : {"vectors", "directions"}) {
+    add_run(harness, side, form, "conjugate-gradient", "Surpass");
+    if (side > kMostAssembled) continue;
+    add_run(harness, side, form, "gauss-seidel", "Surpass, Gauss-Seidel");
+  }
+}
+
+}  // namespace surpass::bench

@@ -1,0 +1,64 @@
+// What the similarity of directions does for eight patches of a kind at once: their derivatives,
+// and the transposed sums.
+#pragma once
+
+#include <vector>
+
+#include "interpolate/lanes.hpp"
+#include "scheme/patch_kind.hpp"
+
+namespace surpass {
+
+/// The weight of a row times its count, from g.g of the reference's derivative g: numerator /
+/// (slope g.g + constant), but 0 where g.g is not above the threshold.
+struct RowLaw {
+  double numerator = 0;
+  double slope = 0;
+  double constant = 1;
+  double threshold = -1;
+};
+
+/// The rows of a kind of patch without their zeros, and without mixed derivatives.
+struct CrossKind {
+  struct Row {
+    std::size_t begin;
+    std::size_t end;
+    double count;
+    std::size_t order;  ///< of the derivative, from 0
+    double scale;       ///< the functions below find derivatives divided by this
+  };
+  std::size_t columns = 0;
+  std::vector<Row> rows;
+  std::vector<unsigned> column;  ///< of row r: column[begin] to column[end - 1]
+  std::vector<double> weight;    ///< as many
+  /// A regular patch three samples along its side, of which two sides belong to its neighbours: the
+  /// rows are found by one refinement, then differences, with a third of the operations.
+  bool is_regular = false;
+
+  explicit CrossKind(const PatchKind& kind);
+};
+
+// Points, #columns, hold a patch in every lane; lanes without one are 0.
+
+/// squares, #rows: g.g.
+void squares_of_patches(const CrossKind& kind, const LaneVectors* reference, LaneNumbers* squares);
+
+/// sums, #columns: the gradient at x of half the sum over rows of weight times |g x q|^2, q the
+/// derivative of x. `laws`, #rows, are for the functions' own scale, as scaled_laws() makes them.
+void gradient_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
+                         const LaneVectors* x, LaneVectors* sums);
+
+/// The upper triangle of a block of 3, row after row.
+struct LaneBlock {
+  Lanes of[6];
+};
+
+/// sums, #columns: the diagonal blocks of the same. `laws` are those of the derivatives themselves.
+void diagonal_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
+                         LaneBlock* sums);
+
+/// The same laws for derivatives divided by the kind's scales, as parts of the gradient.
+[[nodiscard]] std::vector<RowLaw> scaled_laws(const CrossKind& kind,
+                                              const std::vector<RowLaw>& laws);
+
+}  // namespace surpass

@@ -1,0 +1,164 @@
+// The fast ways of the similarity of directions against its rows, one after the other.
+#include "interpolate/cross_kernels.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "interpolate/lane_points.hpp"
+#include "scheme/patch_rows.hpp"
+#include "support/polygons.hpp"
+
+namespace surpass {
+namespace {
+
+// A closed grid of quads refined once, and polygons with all sorts of corners.
+std::vector<PatchKind> kinds_of(const Mesh& given) {
+  const Rules rules = {Scheme::catmull_clark};
+  const Mesh refined = refine(given, rules, 1).value();
+  const auto topology = Topology::build(refined).value();
+  return PatchRows::build(refined, topology, rules, 1, {}, {}, Sides::shared).value().kinds();
+}
+
+Mesh quad_torus(Index nu, Index nv) {
+  Mesh mesh;
+  mesh.points.resize(std::size_t{nu} * nv);
+  for (Index i = 0; i < nu; ++i) {
+    for (Index j = 0; j < nv; ++j) {
+      const Index a = (i + 1) % nu;
+      const Index b = (j + 1) % nv;
+      mesh.add_face(std::array{i * nv + j, a * nv + j, a * nv + b, i * nv + b});
+    }
+  }
+  return mesh;
+}
+
+using Vector = std::array<double, 3>;
+
+Vector derivative(const PatchKind& kind, std::size_t row, const std::vector<Vector>& points) {
+  Vector sum = {};
+  for (std::size_t c = 0; c < kind.columns; ++c) {
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += kind.row(row)[c] * points[c][k];
+  }
+  return sum;
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The law of all rows here: count / (|g|^2 + 0.3).
+std::vector<Vector> plain_gradient(const PatchKind& kind, const std::vector<Vector>& reference,
+                                   const std::vector<Vector>& x) {
+  std::vector<Vector> sums(kind.columns, Vector{});
+  for (std::size_t r = 0; r < kind.row_count(); ++r) {
+    if (kind.derivative[r] == Derivative::mixed) continue;
+    const Vector g = derivative(kind, r, reference);
+    const Vector turned = cross(cross(g, derivative(kind, r, x)), g);  // g x q x g
+    const double weight = kind.count[r] / (dot(g, g) + 0.3);
+    for (std::size_t c = 0; c < kind.columns; ++c) {
+      for (std::size_t k = 0; k < 3; ++k) sums[c][k] += weight * kind.row(r)[c] * turned[k];
+    }
+  }
+  return sums;
+}
+
+void expect_plain_sums(const PatchKind& kind) {
+  const CrossKind cross_kind(kind);
+  const std::vector<RowLaw> laws(cross_kind.rows.size(), {1, 1, 0.3});
+  std::vector<RowLaw> counted = laws;
+  for (std::size_t r = 0; r < laws.size(); ++r) counted[r].numerator = cross_kind.rows[r].count;
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<std::vector<Vector>> reference(kLanes, std::vector<Vector>(kind.columns));
+  std::vector<std::vector<Vector>> x = reference;
+  std::vector<LaneVectors> reference_lanes(kind.columns);
+  std::vector<LaneVectors> x_lanes(kind.columns);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    for (std::size_t c = 0; c < kind.columns; ++c) {
+      for (Vector* v : {&reference[l][c], &x[l][c]}) *v = {uniform(random), uniform(random), 0.5};
+      reference_lanes[c].set(l, reference[l][c].data());
+      x_lanes[c].set(l, x[l][c].data());
+    }
+  }
+  std::vector<LaneVectors> sums(kind.columns);
+  gradient_of_patches(cross_kind, scaled_laws(cross_kind, counted).data(), reference_lanes.data(),
+                      x_lanes.data(), sums.data());
+  std::vector<LaneBlock> blocks(kind.columns);
+  diagonal_of_patches(cross_kind, counted.data(), reference_lanes.data(), blocks.data());
+  std::vector<LaneNumbers> squares(cross_kind.rows.size());
+  squares_of_patches(cross_kind, reference_lanes.data(), squares.data());
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const auto expected = plain_gradient(kind, reference[l], x[l]);
+    for (std::size_t c = 0; c < kind.columns; ++c) {
+      for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(sums[c].of[k][l], expected[c][k], 1e-11);
+      // The block is the gradient at unit vectors of this point, of its own numbers.
+      for (std::size_t k = 0; k < 3; ++k) {
+        std::vector<Vector> unit(kind.columns, Vector{});
+        unit[c][k] = 1;
+        const Vector column = plain_gradient(kind, reference[l], unit)[c];
+        constexpr std::size_t kUpper[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+        for (std::size_t i = 0; i < 3; ++i) {
+          ASSERT_NEAR(blocks[c].of[kUpper[i][k]][l], column[i], 1e-11);
+        }
+      }
+    }
+    double sum = 0;
+    double plain = 0;
+    for (std::size_t r = 0; r < squares.size(); ++r) {
+      const CrossKind::Row& row = cross_kind.rows[r];
+      sum += row.count * row.scale * row.scale * squares[r].value[l];
+    }
+    for (std::size_t r = 0; r < kind.row_count(); ++r) {
+      const Vector g = derivative(kind, r, reference[l]);
+      if (kind.derivative[r] != Derivative::mixed) plain += kind.count[r] * dot(g, g);
+    }
+    ASSERT_NEAR(sum, plain, 1e-11 * plain);
+  }
+}
+
+TEST(CrossKernels, RegularPatchesAreRefined) {
+  const auto kinds = kinds_of(quad_torus(6, 5));
+  ASSERT_EQ(kinds.size(), 1U);
+  EXPECT_TRUE(CrossKind(kinds[0]).is_regular);
+  expect_plain_sums(kinds[0]);
+}
+
+TEST(CrossKernels, OtherPatchesHaveTheirRows) {
+  for (const PatchKind& kind : kinds_of(test::prism(5))) {
+    EXPECT_FALSE(CrossKind(kind).is_regular);
+    expect_plain_sums(kind);
+  }
+}
+
+TEST(LanePoints, GoThereAndBack) {
+  constexpr std::size_t kColumns = 3;
+  std::vector<Index> local;
+  for (Index k = 0; k < kLanes * kColumns; ++k) local.push_back((5 * k) % 11);
+  std::vector<double> numbers;
+  for (int k = 0; k < 33; ++k) numbers.push_back(k + 0.25);
+  const std::vector<Index> all = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  const auto x = padded_points(all, numbers);
+  for (std::size_t lanes = 1; lanes <= kLanes; ++lanes) {
+    std::vector<LaneVectors> points(kColumns);
+    gather_points(local.data(), kColumns, lanes, x.data(), points.data());
+    std::vector<double> y(x.size());
+    std::vector<double> expected(x.size());
+    scatter_points(local.data(), kColumns, lanes, points.data(), y.data());
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      for (std::size_t c = 0; c < kColumns; ++c) {
+        const std::size_t at = kPointStride * local[l * kColumns + c];
+        for (std::size_t k = 0; k < 3; ++k) {
+          EXPECT_EQ(points[c].of[k][l], l < lanes ? x[at + k] : 0);
+          if (l < lanes) expected[at + k] += x[at + k];
+        }
+      }
+    }
+    EXPECT_EQ(y, expected) << lanes;
+  }
+}
+
+}  // namespace
+}  // namespace surpass
