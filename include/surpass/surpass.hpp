@@ -3,6 +3,7 @@
 #pragma once
 
 #include <surpass/context.hpp>
+#include <surpass/curvature.hpp>
 #include <surpass/evaluate.hpp>
 #include <surpass/fairness.hpp>
 #include <surpass/interpolate.hpp>
