@@ -12,6 +12,8 @@
 
 #include "command.hpp"
 #include "evaluator.hpp"
+#include "html_report.hpp"
+#include "interpolation_page.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -42,9 +44,12 @@ class Interpolate : public Command {
                                      std::span<const Point> given) const;
   [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
   Result<void> write(const Mesh& control, Session& session) const;
+  Result<void> write_page(Mesh given, std::vector<Point> points, const Mesh& control,
+                          Session& session);
 
   MeshInput input_;
   MeshOutput output_;
+  HtmlReport page_;
   RulesOption rules_;
   Method method_ = Method::progressive;
   InterpolateOptions options_;
@@ -61,6 +66,7 @@ class Interpolate : public Command {
 void Interpolate::define(Options& options) {
   input_.define(options, "GIVEN", "The mesh whose vertices the surface shall pass through");
   output_.define(options, "-o,--output", "The control mesh");
+  page_.define(options);
   rules_.define(options);
   options
       .add("--surface", surface_path_,
@@ -139,6 +145,11 @@ Result<void> Interpolate::run(Session& session) {
   if (!surface_path_.empty()) surfaces.push_back(surface_path_);
   const auto prepared = output_.prepare(session, inputs, surfaces);
   if (!prepared) return prepared;
+  if (const auto ready =
+          page_.prepare(inputs, {output_.path(), surface_path_, session.report_path});
+      !ready) {
+    return ready;
+  }
 
   Result<LoadedMesh> loaded = input_.load(session);
   if (!loaded) return tl::make_unexpected(loaded.error());
@@ -147,6 +158,7 @@ Result<void> Interpolate::run(Session& session) {
   if (const auto chosen = choose_options(mesh, session); !chosen) return chosen;
 
   const Index vertices = mesh.vertex_count();
+  Mesh shown = page_.wanted() ? mesh : Mesh();
   if (const auto prepared_solver = prepare(mesh, session); !prepared_solver) return prepared_solver;
   std::vector<Point> given;
   const Result<SolveReport> solved = solve(mesh, given, session);
@@ -164,6 +176,10 @@ Result<void> Interpolate::run(Session& session) {
   const bool reached = solved->converged && verdict->judged() <= solved->tolerance;
   if (reached || keep_best_) {
     if (const auto written = write(mesh, session); !written) return written;
+    if (const auto written = write_page(std::move(shown), std::move(given), mesh, session);
+        !written) {
+      return written;
+    }
   }
   return reached ? Result<void>() : not_reached(*solved, verdict->judged());
 }
@@ -332,6 +348,17 @@ Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   }
   if (const auto written = output_.write(control, session); !written) return written;
   return surface ? output_.write(*surface, surface_path_, session) : Result<void>();
+}
+
+Result<void> Interpolate::write_page(Mesh given, std::vector<Point> points, const Mesh& control,
+                                     Session& session) {
+  if (!page_.wanted()) return {};
+  given.points = std::move(points);
+  const InterpolateOptions* rivals = method_ == Method::progressive ? &options_ : nullptr;
+  const auto added = session.timed("page", [&] {
+    return add_interpolation(page_, given, control, options_.rules, rivals, session);
+  });
+  return added ? page_.write(session) : added;
 }
 
 }  // namespace

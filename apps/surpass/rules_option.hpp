@@ -16,6 +16,9 @@ class RulesOption {
   /// --scheme, --boundary and --weights.
   void define(Options& options);
 
+  /// Whether --scheme was given.
+  [[nodiscard]] bool names_scheme() const { return scheme_.has_value(); }
+
   /// The command line wins over what the mesh records (a comment of a control mesh, then
   /// OpenSubdiv's `t interpolateboundary`), and that over the suggested scheme and edge-and-corner.
   /// What is found is noted in report["scheme"] and report["boundary"].

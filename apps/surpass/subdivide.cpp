@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "html_report.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -16,6 +17,7 @@ class Subdivide : public Command {
   void define(Options& options) override {
     input_.define(options, "MESH", "The control mesh to refine");
     output_.define(options, "-o,--output", "The refined mesh");
+    page_.define(options);
     rules_.define(options);
     add_levels(options, levels_, "Refinement steps").required().group("Surface");
     options
@@ -33,6 +35,8 @@ class Subdivide : public Command {
   Result<void> run(Session& session) override {
     const auto prepared = output_.prepare(session, {input_.path()});
     if (!prepared) return prepared;
+    const auto ready = page_.prepare({input_.path()}, {output_.path(), session.report_path});
+    if (!ready) return ready;
     const Result<LoadedMesh> loaded = input_.load(session);
     if (!loaded) return tl::make_unexpected(loaded.error());
     output_.default_format(loaded->format);
@@ -51,12 +55,26 @@ class Subdivide : public Command {
         "{} vertices, {} faces after {} {} of {}, {}{}", refined->vertex_count(),
         refined->face_count(), levels_, levels_ == 1 ? "level" : "levels", name_of(rules.scheme),
         name_of(rules.boundary), limit_ ? ", on the limit surface" : ""));
-    return output_.write(*refined, session);
+    if (const auto written = output_.write(*refined, session); !written) return written;
+    return write_page(loaded->mesh, *refined, session);
   }
 
  private:
+  Result<void> write_page(const Mesh& control, const Mesh& refined, Session& session) {
+    if (!page_.wanted()) return {};
+    page_.add("control", "Control mesh", LayerKind::cage, control);
+    if (limit_) {
+      const auto added = page_.add_surface("surface", "Limit surface", refined, session.context);
+      if (!added) return added;
+    } else {
+      page_.add("surface", "Refined mesh", LayerKind::mesh, refined);
+    }
+    return page_.write(session);
+  }
+
   MeshInput input_;
   MeshOutput output_;
+  HtmlReport page_;
   RulesOption rules_;
   int levels_ = 0;
   bool limit_ = false;

@@ -235,6 +235,7 @@ val Core::rivals(const val& options, const val& progress) const {
   for (const Solver solver : {Solver::richardson, Solver::chebyshev}) {
     InterpolateOptions& rival = wishes->progressive;
     rival.solver = solver;
+    rival.full_history = true;
     const auto solved = interpolate(given_, rival, telling(progress));
     if (!solved) continue;  // not for this mesh, and the plot goes without
     val curve = val::object();

@@ -52,7 +52,6 @@ Result<Wishes> read_wishes(const val& from) {
   read.number("tolerance", progressive.tolerance);
   read.number("maxIterations", progressive.max_iterations);
   read.number("levels", wishes.levels);
-  progressive.full_history = true;
 
   SimilarityOptions& similar = wishes.similar;
   similar.rules = progressive.rules;

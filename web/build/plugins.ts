@@ -66,7 +66,7 @@ export function oneFile(): Plugin {
         } else if (file.fileName.endsWith('.css')) {
           html = html.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${text}</style>`);
         }
-        delete files[file.fileName];
+        Reflect.deleteProperty(files, file.fileName);
       }
       page.source = html;
     },

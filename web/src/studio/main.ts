@@ -120,10 +120,9 @@ class Studio implements Page {
 
   opened(session: Session): void {
     this.message.hidden = true;
-    const { kind, given } = session.loaded!;
+    const { given } = session.loaded!;
     this.stage.viewer.fit(given.positions);
     this.stage.show(session.content());
-    if (kind === 'mesh') this.stage.change({ single: 'surface' });
     this.exportButton.disabled = true;
     this.drawMeshBox();
     this.drawSettings();

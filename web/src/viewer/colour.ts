@@ -53,10 +53,10 @@ export function magnitude(values: readonly Float32Array[], share: number): numbe
   return Math.max(sample[Math.floor(share * (sample.length - 1))] ?? 0, 1e-12);
 }
 
-/** A number for people: 3 digits, and powers of ten where they are shorter. */
+/** A number for people: 3 digits, and powers of ten where they are shorter; with a true minus sign. */
 export function shortNumber(x: number): string {
-  if (x === 0) return '0';
   const size = Math.abs(x);
-  if (size >= 0.001 && size < 100000) return String(Number(x.toPrecision(3)));
-  return x.toExponential(1).replace('e+', 'e').replace(/\.0e/, 'e').replace('-', '\u2212').replace('e-', 'e\u2212');
+  const usual = x === 0 || (size >= 0.001 && size < 100000);
+  const text = usual ? String(Number(x.toPrecision(3))) : x.toExponential(1).replace('e+', 'e').replace('.0e', 'e');
+  return text.replaceAll('-', '\u2212');
 }

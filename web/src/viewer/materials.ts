@@ -121,8 +121,9 @@ uniform float size;
 varying float vValue;
 void main() {
   vValue = value;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  gl_Position.z -= 0.002 * gl_Position.w;
+  // A little towards the eye, for the points lie on the surfaces.
+  vec4 place = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * vec4(place.xyz * 0.996, 1.0);
   gl_PointSize = size;
 }`;
 

@@ -3,7 +3,8 @@
 import { cssGradient, shortNumber } from './colour';
 import { checkbox, element, segmented, select } from './dom';
 import { kShadings, type Shading } from './materials';
-import { panesOf, Viewer, type Content, type Mode, type View } from './viewer';
+import { Viewer, type Content } from './viewer';
+import { defaultView, panesOf, type Mode, type View } from './views';
 
 const kShadingNames: Record<Shading, string> = {
   matte: 'Matte', reflection: 'Reflection', mean: 'Mean', gauss: 'Gauss', error: 'Error',
@@ -26,17 +27,12 @@ const kModes: readonly { value: Mode; label: string; title: string }[] = [
   { value: 'split', label: 'Split', title: 'Two things side by side, seen from the same place' },
 ];
 
-export function defaultView(): View {
-  return {
-    mode: 'single', single: 'surface', overlay: ['surface', 'control'], left: 'plain', right: 'surface',
-    split: 0.5, shading: 'matte', points: true, marks: true, up: 'y',
-  };
-}
-
 export class Stage {
   readonly root: HTMLElement;
   readonly viewer: Viewer;
+  /** What is shown; and what is wished for, though the mesh of now may not have it. */
   view = defaultView();
+  private wish = defaultView();
   private content: Content = { layers: [] };
   private readonly toolbar = element('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'View' });
   private readonly canvasBox = element('div', { class: 'canvas-box' });
@@ -70,7 +66,7 @@ export class Stage {
   }
 
   change(part: Partial<View>): void {
-    this.view = { ...this.view, ...part };
+    this.wish = { ...this.wish, ...part };
     this.settle();
     this.update();
   }
@@ -83,7 +79,7 @@ export class Stage {
   private settle(): void {
     const ids = this.content.layers.map((l) => l.id);
     const or = (id: string, other: string | undefined) => (ids.includes(id) ? id : (other ?? ''));
-    const view = this.view;
+    const view = { ...this.wish };
     const last = ids.at(-1);
     view.single = or(view.single, last);
     view.right = or(view.right, last);
@@ -92,6 +88,8 @@ export class Stage {
     view.overlay = overlay.length > 0 || ids.length === 0 ? overlay : ids;
     const has = this.shadings();
     if (!has.includes(view.shading)) view.shading = 'matte';
+    if (ids.length < 2) view.mode = 'single';
+    this.view = view;
   }
 
   private shadings(): readonly Shading[] {
@@ -155,7 +153,7 @@ export class Stage {
     const field = element('fieldset', { class: 'checks' }, element('legend', {}, 'Shown'));
     for (const { value, label } of choices) {
       field.append(checkbox(label, view.overlay.includes(value), (on) => {
-        const rest = this.view.overlay.filter((id) => id !== value);
+        const rest = this.wish.overlay.filter((id) => id !== value);
         this.change({ overlay: on ? [...rest, value] : rest });
       }));
     }
@@ -188,7 +186,7 @@ export class Stage {
     const signed = this.view.shading !== 'error';
     const bar = element('div', { class: 'legend-bar' });
     bar.style.background = cssGradient(signed ? 'diverging' : 'sequential');
-    const ticks = signed ? [`${shortNumber(-scale).replace(/^-/, '\u2212')}`, '0', shortNumber(scale)] : ['0', shortNumber(scale)];
+    const ticks = signed ? [shortNumber(-scale), '0', shortNumber(scale)] : ['0', shortNumber(scale)];
     this.legend.replaceChildren(element('div', { class: 'legend-title' }, title), bar,
       element('div', { class: 'legend-ticks' }, ...ticks.map((t) => element('span', {}, t))));
   }

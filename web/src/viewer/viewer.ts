@@ -3,35 +3,10 @@ import { Matrix3, PerspectiveCamera, type Points, Scene, type ShaderMaterial, Ve
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { magnitude } from './colour';
 import { Layer, makePoints, scalePoints, type LayerSource, type Scales } from './layer';
-import type { Shading } from './materials';
 import { kDark, kLight, type Palette } from './palette';
+import { panesOf, type Pane, type View } from './views';
 
 ColorManagement.enabled = false;
-
-export type Mode = 'single' | 'overlay' | 'split';
-export type Up = 'y' | 'z';
-
-export interface View {
-  mode: Mode;
-  /** What each mode shows. */
-  single: string;
-  overlay: readonly string[];
-  left: string;
-  right: string;
-  /** The divider of a split, from 0 to 1. */
-  split: number;
-  shading: Shading;
-  points: boolean;
-  marks: boolean;
-  up: Up;
-}
-
-export interface Pane {
-  ids: readonly string[];
-  /** From the left, in parts of the width. */
-  from: number;
-  to: number;
-}
 
 export interface Content {
   layers: LayerSource[];
@@ -40,20 +15,11 @@ export interface Content {
   pointErrors?: Float32Array;
 }
 
-export function panesOf(view: View): Pane[] {
-  if (view.mode === 'single') return [{ ids: [view.single], from: 0, to: 1 }];
-  if (view.mode === 'overlay') return [{ ids: view.overlay, from: 0, to: 1 }];
-  return [
-    { ids: [view.left], from: 0, to: view.split },
-    { ids: [view.right], from: view.split, to: 1 },
-  ];
-}
-
 export class Viewer {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(30, 1, 0.01, 60);
+  private readonly camera = new PerspectiveCamera(30, 1, 0.05, 40);
   private readonly orbit: OrbitControls;
   private layers = new Map<string, Layer>();
   private points: Points | undefined;
