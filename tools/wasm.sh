@@ -4,6 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 export NODE_PATH=${NODE_PATH:-/usr/share/nodejs}  # where Debian keeps acorn, which emcc needs
 if [ ! -f build/wasm/CMakeCache.txt ]; then
-  emcmake cmake -S bindings/wasm -B build/wasm -G Ninja -DCMAKE_BUILD_TYPE=Release --log-level=WARNING
+  emcmake cmake -S bindings/wasm -B build/wasm -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    --log-level=WARNING > /dev/null
 fi
-cmake --build build/wasm -j "${JOBS:-$(nproc)}"
+cmake --build build/wasm -j "${JOBS:-$(nproc)}" -- --quiet

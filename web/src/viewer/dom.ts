@@ -49,7 +49,7 @@ export function segmented<T extends string>(
 export function select<T extends string>(
   legend: string, choices: readonly Choice<T>[], chosen: T, change: (value: T) => void,
 ): HTMLLabelElement {
-  const input = element('select');
+  const input = element('select', { 'aria-label': legend });
   for (const choice of choices) {
     const option = element('option', { value: choice.value }, choice.label);
     option.disabled = choice.disabled ?? false;
@@ -57,7 +57,7 @@ export function select<T extends string>(
   }
   input.value = chosen;
   input.addEventListener('change', () => change(input.value as T));
-  return element('label', { class: 'field' }, element('span', {}, legend), input);
+  return element('label', { class: 'field' }, element('span', { 'aria-hidden': 'true' }, legend), input);
 }
 
 export function checkbox(legend: string, checked: boolean, change: (on: boolean) => void): HTMLLabelElement {

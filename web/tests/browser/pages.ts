@@ -21,7 +21,7 @@ export interface Opened {
 }
 
 export async function open(browser: Browser, url: string, options: Parameters<Browser['newContext']>[0] = {}): Promise<Opened> {
-  const context = await browser.newContext({ viewport: { width: 1360, height: 860 }, acceptDownloads: true, ...options });
+  const context = await browser.newContext({ viewport: { width: 1190, height: 620 }, deviceScaleFactor: 0.5, acceptDownloads: true, ...options });
   const complaints: string[] = [];
   await context.setOffline(true);
   const page = await context.newPage();
