@@ -14,6 +14,8 @@ export default defineConfig(({ mode }) => {
     base: './',
     logLevel: 'warn',
     plugins: studio ? [coreFile(), sampleFile(kSamples), plainScripts(['core.js', 'samples.js'])] : [oneFile()],
+    // Licences stay in the scripts.
+    esbuild: { legalComments: 'inline' },
     build: {
       outDir: resolve(kBuilt, studio ? 'studio' : 'report'),
       emptyOutDir: true,
