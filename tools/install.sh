@@ -23,7 +23,7 @@ case $job in
   bench) packages=("${compile[@]}" "${rivals[@]}") ;;
   counts) packages=("${compile[@]}" python3 valgrind) ;;
   format) packages=(clang-format) ;;
-  lint) packages=("${compile[@]}" "${testing[@]}" clang-format clang-tidy) ;;
+  lint) packages=("${compile[@]}" "${testing[@]}" "${pages[@]}" clang-format clang-tidy) ;;
   ci) packages=("${compile[@]}" "${testing[@]}" "${pages[@]}" "${studio[@]}" chromium clang libclang-rt-dev clang-format clang-tidy
                 ccache valgrind) ;;
   *)

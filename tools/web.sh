@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Builds what runs in a browser: tools/web.sh report | studio. The report's frame needs npm alone, the
+# Builds what runs in a browser: tools/web.sh report | studio | packages. The report's frame needs npm alone, the
 # studio the WebAssembly module as well. Does nothing, and quickly, if all is newer than its sources.
 set -euo pipefail
-what=${1:?usage: tools/web.sh report|studio}
+what=${1:?usage: tools/web.sh report|studio|packages}
 cd "$(dirname "$0")/../web"
 
 # The packages of the lock file, fetched anew only when it changes.
@@ -13,6 +13,7 @@ if [ ! -f "$stamp" ] || [ package-lock.json -nt "$stamp" ]; then
 fi
 
 case $what in
+  packages) exit 0 ;;
   report) made=../build/report/report.html sources=(src/viewer src/report src/core report.html) ;;
   studio)
     ../tools/wasm.sh

@@ -56,7 +56,7 @@ export function solveOptions(s: Settings): SolveOptions {
 }
 
 const kSchemes: Choice<string>[] = [
-  { value: 'loop', label: 'Loop (triangles)' },
+  { value: 'loop', label: 'Loop' },
   { value: 'catmull-clark', label: 'Catmull-Clark' },
   { value: 'doo-sabin', label: 'Doo-Sabin' },
 ];

@@ -54,7 +54,7 @@ export class Layer {
     const { kind, shape } = source;
     // The fine triangles of a surface are not shown as lines, so only its boundary is looked for.
     const parts = source.connectivity ?? connectivityOf(shape);
-    if (kind === 'surface' || kind === 'mesh') this.faces = this.makeFaces();
+    if (kind !== 'points' && shape.corners.length > 0) this.faces = this.makeFaces();
     if (kind === 'mesh' || kind === 'cage') {
       const cage = kind === 'cage';
       this.edges = this.makeLines(parts.edges, cage ? palette.cage : palette.edge, cage ? 1.6 : 1,
@@ -87,10 +87,13 @@ export class Layer {
     geometry.setAttribute('position', new BufferAttribute(shape.positions, 3));
     if (shape.normals) geometry.setAttribute('normal', new BufferAttribute(shape.normals, 3));
     geometry.setIndex(new BufferAttribute(this.source.connectivity?.triangles ?? trianglesOf(shape), 1));
-    const surface = kind === 'surface';
+    // A cage's faces only hide what is behind them.
+    const [front, back] = {
+      surface: [this.palette.front, this.palette.back], mesh: [this.palette.given, this.palette.givenBack],
+      cage: [this.palette.cageFace, this.palette.cageFace], points: [this.palette.given, this.palette.given],
+    }[kind] as [string, string];
     const material = this.keep(surfaceMaterial({
-      front: surface ? this.palette.front : this.palette.given,
-      back: surface ? this.palette.back : this.palette.givenBack,
+      front, back,
       facets: !shape.normals,
     }));
     const mesh = new Mesh(geometry, material);
@@ -124,7 +127,7 @@ export class Layer {
   private makeDots(): Points {
     const cage = this.source.kind === 'cage';
     const dots = makePoints(this.source.shape.positions, undefined,
-      cage ? this.palette.cage : this.palette.point, this.palette.pointRim, cage ? 0.8 : 1);
+      cage ? this.palette.cage : this.palette.point, cage ? this.palette.cage : this.palette.pointRim, cage ? 0.6 : 1);
     this.keep(dots.geometry);
     this.keep(dots.material as ShaderMaterial);
     this.group.add(dots);
@@ -159,7 +162,7 @@ export class Layer {
   /** Facets give way where a surface is seen with them: then a mesh is its edges. */
   arrange(options: { withSurface: boolean; marks: boolean }): void {
     this.marks.visible = options.marks;
-    if (this.source.kind === 'mesh' && this.faces) this.faces.visible = !options.withSurface;
+    if (!this.isSurface && this.faces) this.faces.visible = !options.withSurface;
   }
 
   useFrame(up: { x: number; y: number; z: number }, side: { x: number; y: number; z: number }): void {

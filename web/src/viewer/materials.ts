@@ -34,10 +34,10 @@ varying float vValue;
 
 float lambert(vec3 n, vec3 l) { return max(dot(n, normalize(l)), 0.0); }
 
-// A mirror under a sky of twelve parallel lamps: where the bands break, the surface has a kink.
+// A mirror under a sky of sixteen parallel lamps: where the bands break, the surface has a kink.
 vec3 lamps(vec3 n) {
   vec3 r = reflect(normalize(vPosition), n);
-  float angle = atan(dot(r, worldSide), dot(r, worldUp)) * (12.0 / 3.14159265);
+  float angle = atan(dot(r, worldSide), dot(r, worldUp)) * (8.0 / 3.14159265);
   float wave = abs(fract(angle) - 0.5) * 2.0;
   float width = clamp(fwidth(angle) * 1.5, 0.02, 1.0);
   float lit = smoothstep(0.5 - width, 0.5 + width, wave);

@@ -1,5 +1,5 @@
 // The picture: one or two panes that look at the layers through one camera.
-import { Matrix3, PerspectiveCamera, type Points, Scene, type ShaderMaterial, Vector3, WebGLRenderer, LinearSRGBColorSpace, ColorManagement } from 'three';
+import { Matrix3, PerspectiveCamera, type Points, Scene, type ShaderMaterial, Vector2, Vector3, WebGLRenderer, LinearSRGBColorSpace, ColorManagement } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { magnitude } from './colour';
 import { Layer, makePoints, scalePoints, type LayerSource, type Scales } from './layer';
@@ -43,9 +43,9 @@ export class Viewer {
     this.orbit.maxDistance = 20;
     this.orbit.addEventListener('change', () => this.ask());
     this.canvas.addEventListener('keydown', (event) => this.key(event));
-    new ResizeObserver(() => this.resize()).observe(host);
+    new ResizeObserver(() => this.draw()).observe(host);
     this.home();
-    this.resize();
+    this.draw();
   }
 
   /** New things to look at. The camera stays unless `home` is called. */
@@ -144,17 +144,10 @@ export class Viewer {
     const surfaces = this.content.layers.filter((l) => l.kind === 'surface');
     const of = (name: string) => surfaces.flatMap((l) => l.shape.channels[name] ?? []);
     this.scales = {
-      mean: magnitude(of('mean'), 0.98),
-      gauss: magnitude(of('gauss'), 0.96),
+      mean: magnitude(of('mean'), 0.96),
+      gauss: magnitude(of('gauss'), 0.95),
       error: this.content.pointErrors?.length ? magnitude([this.content.pointErrors], 1) : magnitude(of('error'), 1),
     };
-  }
-
-  private resize(): void {
-    const { clientWidth, clientHeight } = this.host;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight);
-    this.draw();
   }
 
   private ask(): void {
@@ -169,6 +162,7 @@ export class Viewer {
   draw(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
+    this.fitCanvas(width, height);
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(this.palette.background);
     this.renderer.setViewport(0, 0, width, height);
@@ -188,6 +182,18 @@ export class Viewer {
     }
   }
 
+  private fitCanvas(width: number, height: number): void {
+    const size = this.renderer.getSize(new Vector2());
+    if (size.x !== width || size.y !== height) this.renderer.setSize(width, height);
+  }
+
+  /** Pixels a disc's unit: smaller where the pane is small. */
+  private dotScale(pane: Pane): number {
+    const { clientWidth, clientHeight } = this.host;
+    const least = Math.min((pane.to - pane.from) * clientWidth, clientHeight);
+    return this.renderer.getPixelRatio() * Math.min(1, Math.max(0.5, least / 560));
+  }
+
   private arrange(pane: Pane): void {
     this.camera.updateMatrixWorld();
     const turn = new Matrix3().setFromMatrix4(this.camera.matrixWorldInverse);
@@ -201,17 +207,17 @@ export class Viewer {
       layer.arrange({ withSurface, marks: this.view.marks });
       layer.shade(this.view.shading, this.scales);
       layer.useFrame(up, side);
-      layer.scalePoints(this.renderer.getPixelRatio());
+      layer.scalePoints(this.dotScale(pane));
     }
-    if (this.points) this.arrangePoints(this.points);
+    if (this.points) this.arrangePoints(this.points, this.dotScale(pane));
   }
 
-  private arrangePoints(points: Points): void {
+  private arrangePoints(points: Points, scale: number): void {
     points.visible = this.view.points;
     const { uniforms } = points.material as ShaderMaterial;
     uniforms.scaled!.value = this.view.shading === 'error' && this.content.pointErrors !== undefined;
     uniforms.range!.value = { x: 0, y: this.scales.error };
-    scalePoints(points, this.renderer.getPixelRatio());
+    scalePoints(points, scale);
   }
 
   private key(event: KeyboardEvent): void {
