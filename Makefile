@@ -5,7 +5,7 @@ export JOBS ?= $(shell nproc)
 # A folder of further meshes for `make test` and `make papers`.
 DATA ?= $(wildcard ../shared/data)
 
-.PHONY: help demo build test bench curve counts papers format lint clean
+.PHONY: help demo build studio web test bench curve counts papers format lint clean
 help:  ## print this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1: /p' $(MAKEFILE_LIST)
 
@@ -16,8 +16,17 @@ demo: need-demo build/release/build.ninja  ## build the command line, interpolat
 build: need-build build/release/build.ninja  ## build the libraries and the command line: build/release/surpass
 	@cmake --build build/release -j $(JOBS)
 
+studio: need-studio  ## build the studio, a page that interpolates in the browser: build/studio
+	@tools/web.sh studio
+	@echo "Open $(CURDIR)/build/studio/index.html"
+
+web: need-web  ## build the frame of HTML reports, for --html and surpass view
+	@tools/web.sh report
+
 test: need-test  ## build and run the everyday tests; DATA=DIR adds a folder of real meshes
-	@cmake --preset release --log-level=WARNING -DSURPASS_TESTS=ON
+	@tools/web.sh report
+	@tools/web.sh studio
+	@cmake --preset release --log-level=WARNING -DSURPASS_TESTS=ON -DSURPASS_WEB_TESTS=ON
 	@cmake --build build/release -j $(JOBS)
 	@tools/test.sh build/release "$(DATA)" -LE slow
 

@@ -30,6 +30,9 @@ install(DIRECTORY include/surpass DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.hpp" ${SURPASS_ABSENT_HEADERS})
 install(FILES ${PROJECT_BINARY_DIR}/include/surpass/version.hpp
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/surpass)
+# The frame of HTML reports, if `make web` has built it.
+install(FILES ${PROJECT_SOURCE_DIR}/build/report/report.html
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/surpass OPTIONAL)
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/surpass-config.cmake.in surpass-config.cmake

@@ -17,3 +17,7 @@ mapfile -t units < <(sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' build/lint/com
 printf '%s\0' "${units[@]}" |
   xargs -0 -n 1 -P "${JOBS:-$(nproc)}" clang-tidy --quiet --warnings-as-errors='*' -p build/lint 2> /dev/null
 echo "clang-tidy: $(cat "${units[@]}" | grep -c '^#include') files in ${#units[@]} units"
+
+tools/web.sh packages
+(cd web && npx --no-install tsc --noEmit && npx --no-install eslint .)
+echo "tsc, eslint: $(git ls-files web | grep -c '\.[jt]s$') files"

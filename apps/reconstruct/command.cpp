@@ -6,11 +6,13 @@
 
 #include <surpass/quality.hpp>
 
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "html_report.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "report.hpp"
@@ -34,11 +36,14 @@ class Reconstruct : public Command {
   Result<Interpolated> interpolate_mesh(const Mesh& mesh, Session& session) const;
   Result<void> write(const Mesh& mesh, const Interpolated& interpolated, const Mesh& unused,
                      Session& session) const;
+  Result<void> write_page(const std::vector<Point>& points, const Mesh& mesh, const Mesh& control,
+                          Session& session);
   [[nodiscard]] static Mesh unused_points(const Mesh& given, const std::vector<Index>& unused);
 
   std::string path_;
   Format from_ = Format::automatic;
   MeshOutput output_;
+  HtmlReport page_;
   std::string control_path_;
   std::string unused_path_;
   SurfaceOutput surface_;
@@ -62,6 +67,7 @@ void Reconstruct::define(Options& options) {
       .required();
   add_from_points(options, from_, "Format of the input, for '-' or to overrule its name");
   output_.define(options, "-o,--output", "The triangle mesh whose vertices are points");
+  page_.define(options);
   define_cleaning(options);
   define_simplification(options);
   define_surface(options);
@@ -175,6 +181,11 @@ Result<void> Reconstruct::run(Session& session) {
   if (!unused_path_.empty()) of_points.push_back(unused_path_);
   if (const auto ready = output_.prepare(session, {path_}, further, of_points); !ready)
     return ready;
+  if (const auto ready = page_.prepare({path_}, {output_.path(), control_path_, surface_.path(),
+                                                 unused_path_, session.report_path});
+      !ready) {
+    return ready;
+  }
   const Result<LoadedMesh> loaded = load_points(path_, from_, session);
   if (!loaded) return tl::make_unexpected(loaded.error());
   const Mesh& given = loaded->mesh;
@@ -205,7 +216,30 @@ Result<void> Reconstruct::run(Session& session) {
   session.report["distance"] = limit_distances_json(*distances, side);
   session.console.say(summary(*distances, side));
   session.console.say(fmt::format("{:.3g} s", session.seconds()));
-  return write(found->mesh, *interpolated, unused_points(given, found->unused), session);
+  if (const auto written =
+          write(found->mesh, *interpolated, unused_points(given, found->unused), session);
+      !written) {
+    return written;
+  }
+  return write_page(given.points, found->mesh, interpolated->control, session);
+}
+
+Result<void> Reconstruct::write_page(const std::vector<Point>& points, const Mesh& mesh,
+                                     const Mesh& control, Session& session) {
+  if (!page_.wanted()) return {};
+  Mesh cloud;
+  for (const Point& p : points) {
+    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+      cloud.points.push_back(p);
+  }
+  page_.add("points", "Given points", LayerKind::points, cloud);
+  page_.add("given", "Reconstructed mesh", LayerKind::mesh, mesh);
+  page_.add("control", "Control mesh", LayerKind::cage, control);
+  if (const auto added = page_.add_limit("surface", "Surface", control, rules_, session.context);
+      !added) {
+    return added;
+  }
+  return page_.write(session);
 }
 
 Result<Interpolated> Reconstruct::interpolate_mesh(const Mesh& mesh, Session& session) const {

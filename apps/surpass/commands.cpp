@@ -11,6 +11,7 @@ std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_quality();
 std::unique_ptr<Command> make_convert();
 std::unique_ptr<Command> make_render();
+std::unique_ptr<Command> make_view();
 
 std::span<const CommandEntry> commands() {
   static constexpr CommandEntry kCommands[] = {
@@ -27,6 +28,7 @@ std::span<const CommandEntry> commands() {
        make_quality},
       {"convert", "read a mesh in one format and write it in another", make_convert},
       {"render", "draw a shaded picture without a display", make_render},
+      {"view", "show meshes in the browser, in one page that works offline", make_view},
   };
   return kCommands;
 }

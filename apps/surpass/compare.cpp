@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "html_report.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 
@@ -44,6 +45,7 @@ class Compare : public Command {
         .type_name("X")
         .default_text(fmt::format("{}", accuracy_))
         .group("Distance");
+    page_.define(options);
     options.examples(
         "Distances are from triangle to triangle, in the units of the files; polygons are cut\n"
         "into triangles. 'at most' is a proven bound of the maximum.\n\n"
@@ -54,6 +56,7 @@ class Compare : public Command {
 
   Result<void> run(Session& session) override {
     if (const auto checked = check_report_path(session, {a_, b_}); !checked) return checked;
+    if (const auto ready = page_.prepare({a_, b_}, {session.report_path}); !ready) return ready;
     const Result<LoadedMesh> a = load(a_, "a", session);
     if (!a) return tl::make_unexpected(a.error());
     const Result<LoadedMesh> b = load(b_, "b", session);
@@ -68,6 +71,9 @@ class Compare : public Command {
                                   {"hausdorff_bound", found->hausdorff_bound},
                                   {"box_side", found->box_side},
                                   {"accuracy", accuracy_}};
+    page_.add("a", "A", LayerKind::mesh, a->mesh);
+    page_.add("b", "B", LayerKind::mesh, b->mesh);
+    if (const auto written = page_.write(session); !written) return written;
     return session.print_result(table(*found));
   }
 
@@ -78,6 +84,7 @@ class Compare : public Command {
     return loaded;
   }
 
+  HtmlReport page_;
   std::string a_;
   std::string b_;
   Format from_ = Format::automatic;

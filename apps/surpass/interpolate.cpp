@@ -12,6 +12,8 @@
 
 #include "command.hpp"
 #include "evaluator.hpp"
+#include "html_report.hpp"
+#include "interpolation_page.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -46,9 +48,12 @@ class Interpolate : public Command {
   Result<void> write(const Mesh& control, Session& session) const;
   [[nodiscard]] Result<void> check_nonstationary() const;
   Result<void> run_nonstationary(const Mesh& given, Session& session);
+  Result<void> write_page(Mesh given, std::vector<Point> points, const Mesh& control,
+                          Session& session);
 
   MeshInput input_;
   MeshOutput output_;
+  HtmlReport page_;
   RulesOption rules_;
   Method method_ = Method::progressive;
   InterpolateOptions options_;
@@ -65,6 +70,7 @@ class Interpolate : public Command {
 void Interpolate::define(Options& options) {
   input_.define(options, "GIVEN", "The mesh whose vertices the surface shall pass through");
   output_.define(options, "-o,--output", "The control mesh");
+  page_.define(options);
   rules_.define(options, true);
   surface_.define(options, ", and of nonstationary-loop");
   options
@@ -142,6 +148,11 @@ Result<void> Interpolate::run(Session& session) {
   if (surface_.wanted()) surfaces.push_back(surface_.path());
   const auto prepared = output_.prepare(session, inputs, surfaces);
   if (!prepared) return prepared;
+  if (const auto ready =
+          page_.prepare(inputs, {output_.path(), surface_.path(), session.report_path});
+      !ready) {
+    return ready;
+  }
 
   Result<LoadedMesh> loaded = input_.load(session);
   if (!loaded) return tl::make_unexpected(loaded.error());
@@ -151,6 +162,7 @@ Result<void> Interpolate::run(Session& session) {
   if (const auto chosen = choose_options(mesh, session); !chosen) return chosen;
 
   const Index vertices = mesh.vertex_count();
+  Mesh shown = page_.wanted() ? mesh : Mesh();
   if (const auto prepared_solver = prepare(mesh, session); !prepared_solver) return prepared_solver;
   std::vector<Point> given;
   const Result<SolveReport> solved = solve(mesh, given, session);
@@ -168,6 +180,10 @@ Result<void> Interpolate::run(Session& session) {
   const bool reached = solved->converged && verdict->judged() <= solved->tolerance;
   if (reached || keep_best_) {
     if (const auto written = write(mesh, session); !written) return written;
+    if (const auto written = write_page(std::move(shown), std::move(given), mesh, session);
+        !written) {
+      return written;
+    }
   }
   return reached ? Result<void>() : not_reached(*solved, verdict->judged());
 }
@@ -279,6 +295,12 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
                   exact->mean, stored_error, surface->face_count(), session.seconds()));
   if (reached || keep_best_) {
     if (const auto written = output_.write(*surface, session); !written) return written;
+    if (page_.wanted()) {
+      page_.add("given", "Given mesh", LayerKind::mesh, given);
+      page_.mark(given.points);
+      const auto added = page_.add_surface("surface", "Surface", *surface, session.context);
+      if (const auto written = added ? page_.write(session) : added; !written) return written;
+    }
   }
   if (reached) return {};
   return fail(ErrorCode::not_converged,
@@ -400,6 +422,17 @@ Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   if (!surface) return tl::make_unexpected(surface.error());
   if (const auto written = output_.write(control, session); !written) return written;
   return surface_.write(*surface, output_, session);
+}
+
+Result<void> Interpolate::write_page(Mesh given, std::vector<Point> points, const Mesh& control,
+                                     Session& session) {
+  if (!page_.wanted()) return {};
+  given.points = std::move(points);
+  const InterpolateOptions* rivals = method_ == Method::progressive ? &options_ : nullptr;
+  const auto added = session.timed("page", [&] {
+    return add_interpolation(page_, given, control, options_.rules, rivals, session);
+  });
+  return added ? page_.write(session) : added;
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ class RulesOption {
   [[nodiscard]] std::optional<LoopWeights> loop_weights() const { return loop_weights_; }
   [[nodiscard]] bool other_weights() const { return weights_.has_value(); }
 
+  /// Whether --scheme was given.
+  [[nodiscard]] bool names_scheme() const { return scheme_.has_value(); }
+
   /// The command line wins over what the mesh records (a comment of a control mesh, then
   /// OpenSubdiv's `t interpolateboundary`), and that over the suggested scheme and edge-and-corner.
   /// What is found is noted in report["scheme"] and report["boundary"].

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "html_report.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -17,6 +18,7 @@ class Subdivide : public Command {
   void define(Options& options) override {
     input_.define(options, "MESH", "The control mesh to refine");
     output_.define(options, "-o,--output", "The refined mesh");
+    page_.define(options);
     rules_.define(options, true);
     add_levels(options, levels_, "Refinement steps").required().group("Surface");
     options
@@ -41,6 +43,8 @@ class Subdivide : public Command {
     inputs.push_back(input_.path());
     const auto prepared = output_.prepare(session, inputs);
     if (!prepared) return prepared;
+    const auto ready = page_.prepare({input_.path()}, {output_.path(), session.report_path});
+    if (!ready) return ready;
     const Result<LoadedMesh> loaded = input_.load(session);
     if (!loaded) return tl::make_unexpected(loaded.error());
     output_.default_format(loaded->format);
@@ -57,7 +61,8 @@ class Subdivide : public Command {
                     refined->face_count(), levels_, levels_ == 1 ? "level" : "levels",
                     session.report["scheme"].get<std::string>(), name_of(rules.boundary),
                     limit_ ? ", on the limit surface" : ""));
-    return output_.write(*refined, session);
+    if (const auto written = output_.write(*refined, session); !written) return written;
+    return write_page(loaded->mesh, *refined, session);
   }
 
  private:
@@ -82,8 +87,21 @@ class Subdivide : public Command {
     return refined;
   }
 
+  Result<void> write_page(const Mesh& control, const Mesh& refined, Session& session) {
+    if (!page_.wanted()) return {};
+    page_.add("control", "Control mesh", LayerKind::cage, control);
+    if (limit_) {
+      const auto added = page_.add_surface("surface", "Limit surface", refined, session.context);
+      if (!added) return added;
+    } else {
+      page_.add("surface", "Refined mesh", LayerKind::mesh, refined);
+    }
+    return page_.write(session);
+  }
+
   MeshInput input_;
   MeshOutput output_;
+  HtmlReport page_;
   RulesOption rules_;
   Nonstationary nonstationary_;
   int levels_ = 0;

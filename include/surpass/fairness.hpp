@@ -135,14 +135,13 @@ struct VertexCurvature {
   double gauss = 0;  ///< k1 k2
 };
 
-/// Of a mesh as it is (polygons are cut into triangles), #V; to look at a limit surface, hand over
-/// limit_mesh(), whose vertices and normals are exact. Estimated from how the normals turn along
-/// the edges (S. Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes,
-/// 3DPVT 2004): vertex channel "normal" where there is one, else the mean of the faces' normals.
-/// Exact on spheres with exact normals, of first order in the edges' length elsewhere; at creases
-/// and where a limit's curvature is not bounded it grows as edges shorten. 0 at isolated vertices.
-/// The same bits for any number of threads. O(#corners). Errors: those of Topology::build, no
-/// faces, cancelled.
+/// Of a mesh as it is, #V; to look at a limit surface, hand over limit_mesh(), whose vertices and
+/// normals are exact. Fitted to how the normals turn along the edges of a vertex: channel "normal"
+/// where there is one, else the mean of the faces' normals. Exact on spheres with exact normals, of
+/// second order in the edges' length on regular meshes; at creases and where a limit's curvature is
+/// not bounded it grows as edges shorten. 0 where there is no normal, as at isolated vertices, or
+/// all edges go one way. The same bits for any number of threads. O(#corners). Errors: those of
+/// Topology::build, no faces, positions that are not finite, cancelled.
 [[nodiscard]] Result<std::vector<VertexCurvature>> vertex_curvatures(const Mesh& surface,
                                                                      const Context& context = {});
 

@@ -127,6 +127,34 @@ TEST_F(Report, OfTheOtherCommands) {
   }
 }
 
+// With the pages' frame, which `make web` builds, or with the sentence that names it.
+TEST_F(Report, OfPages) {
+  const std::filesystem::path frame =
+      std::filesystem::path(SURPASS_EXECUTABLE).parent_path() / "../report/report.html";
+  const bool built = std::filesystem::exists(frame);
+  const std::string given = data("octahedron.obj");
+  const std::string page = folder_ / "page.html";
+  const std::vector<std::vector<std::string>> commands = {
+      {"interpolate", given, "-o", folder_ / "c.obj", "--html", page},
+      {"subdivide", given, "-o", folder_ / "s.obj", "--levels", "1", "--html", page},
+      {"compare", given, given, "--html", page},
+      {"view", given, "--html", page, "--no-browser"}};
+  for (const auto& words : commands) {
+    const json report = valid(words, built ? 0 : 1);
+    EXPECT_EQ(std::filesystem::exists(page), built) << words.front();
+    if (built) {
+      EXPECT_EQ(report["html"], page);
+      EXPECT_EQ(slurp(page).rfind("<!doctype html>", 0), 0U);
+      std::filesystem::remove(page);
+    } else {
+      EXPECT_NE(report["failure"]["message"].get<std::string>().find("make web"),
+                std::string::npos);
+    }
+  }
+  // A page never takes the place of an input.
+  valid({"compare", given, given, "--html", given}, 1);
+}
+
 TEST_F(Report, OfQuality) {
   const std::string given = data("quad_torus.obj");
   const std::string control = folder_ / "c.obj";

@@ -6,9 +6,9 @@
 namespace surpass::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide",
-                                            "check",       "inspect", "compare",
-                                            "quality",     "convert", "render",
+const std::vector<std::string> kCommands = {"interpolate", "predict", "subdivide", "check",
+                                            "inspect",     "compare", "quality",   "convert",
+                                            "render",      "view",
 #ifdef SURPASS_RECONSTRUCT
                                             "reconstruct"
 #endif

@@ -22,7 +22,7 @@ PUBLIC_LAYER = {
     'mesh': 'mesh', 'topology': 'mesh', 'repair': 'mesh',
     'scheme': 'scheme', 'nonstationary': 'scheme', 'refiner': 'scheme', 'evaluate': 'scheme', 'interpolate': 'interpolate',
     'similarity': 'interpolate', 'requirements': 'interpolate',
-    'quality': 'quality', 'fairness': 'quality', 'io': 'io',
+    'quality': 'quality', 'fairness': 'quality', 'curvature': 'quality', 'io': 'io',
     'oracle': 'oracle', 'render': 'render', 'reconstruct': 'reconstruct',
 }
 OUTSIDE = ['apps', 'bindings', 'examples']  # public headers and their own files only

@@ -1,0 +1,26 @@
+// What the page asks for, from a JavaScript object.
+#pragma once
+
+#include <surpass/interpolate.hpp>
+#include <surpass/similarity.hpp>
+
+#include <string>
+
+#include <emscripten/val.h>
+
+namespace surpass::wasm {
+
+/// How to find the control mesh, and how finely to show its surface.
+struct Wishes {
+  std::string method = "progressive";  ///< or "similarity", "fair"
+  InterpolateOptions progressive = {};
+  SimilarityOptions similar = {};
+  int levels = 2;  ///< refinements of the shown surfaces, from the given mesh on
+};
+
+/// {scheme, boundary, method, solver, tolerance, maxIterations, tension, levels}; what is not there
+/// stays as it is in the library. `tension`, 0 to 1, is the membrane's share of the energy under
+/// `fair`. Errors: names that the library does not know.
+[[nodiscard]] Result<Wishes> read_wishes(const emscripten::val& from);
+
+}  // namespace surpass::wasm

@@ -1,0 +1,113 @@
+// The pictures of docs/studio.md: every view of five meshes on one sheet each, and the pages themselves.
+//   node build/pictures.mjs FOLDER     after make studio and make web
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const kRoot = resolve(import.meta.dirname, '../..');
+const folder = resolve(process.argv[2] ?? resolve(kRoot, 'docs/images/studio'));
+mkdirSync(folder, { recursive: true });
+
+const kModels = ['jug.obj', 'trefoil.ply', 'crease_corners.obj', 'patch_irregular.obj', 'mixed_polygons.obj'];
+const single = (id, shading = 'matte', points = true) => ({ mode: 'single', single: id, shading, points });
+const kViews = [
+  ['Given mesh', single('given')], ['Control mesh', single('control')],
+  ['Plain limit surface', single('plain')], ['Interpolating surface', single('surface')],
+  ['Overlay', { mode: 'overlay', overlay: ['surface', 'control'], shading: 'matte', points: true }],
+  ['Reflection lines', single('surface', 'reflection', false)], ['Mean curvature', single('surface', 'mean', false)],
+  ['Gaussian curvature', single('surface', 'gauss', false)], ['Error of the plain surface', single('plain', 'error')],
+  ['Split', { mode: 'split', left: 'plain', right: 'surface', shading: 'matte', points: true }],
+];
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+});
+
+async function studio(viewport, colorScheme = 'light', scale = 1) {
+  const context = await browser.newContext({ viewport, colorScheme, deviceScaleFactor: scale });
+  const page = await context.newPage();
+  page.on('pageerror', (error) => { throw error; });
+  await page.goto(`file://${kRoot}/build/studio/index.html`);
+  await page.locator('.verdict').waitFor();
+  return page;
+}
+
+async function open(page, model) {
+  await page.getByLabel('Sample').selectOption(model);
+  await page.waitForFunction((name) => window.surpassStudio.session.name === name && window.surpassStudio.session.solved, model);
+}
+
+async function sheets() {
+  const page = await studio({ width: 1000, height: 560 });
+  for (const model of kModels) {
+    await open(page, model);
+    const url = await page.evaluate(async (views) => {
+      const { stage } = window.surpassStudio;
+      const host = stage.viewer.canvas.parentElement;
+      const [width, height] = [300, 250];
+      host.style.cssText = `position:absolute;width:${width}px;height:${height}px`;
+      await new Promise((done) => setTimeout(done, 300));
+      const sheet = document.createElement('canvas');
+      const columns = 5;
+      sheet.width = columns * width;
+      sheet.height = Math.ceil(views.length / columns) * (height + 22);
+      const context = sheet.getContext('2d');
+      context.fillStyle = '#ffffff';
+      context.fillRect(0, 0, sheet.width, sheet.height);
+      for (const [i, [label, view]] of views.entries()) {
+        stage.change({ ...view, marks: true, split: 0.5 });
+        stage.viewer.draw();
+        const [x, y] = [(i % columns) * width, Math.floor(i / columns) * (height + 22)];
+        context.drawImage(stage.viewer.canvas, x, y, width, height);
+        context.fillStyle = '#1a222c';
+        context.font = '13px sans-serif';
+        context.textAlign = 'center';
+        context.fillText(label, x + width / 2, y + height + 15);
+      }
+      host.style.cssText = '';
+      return sheet.toDataURL('image/png');
+    }, kViews);
+    writeFileSync(resolve(folder, `${model.replace(/\..*/, '')}.png`), Buffer.from(url.split(',')[1], 'base64'));
+  }
+  await page.context().close();
+}
+
+async function shot(page, name) {
+  await page.waitForTimeout(400);
+  await page.screenshot({ path: resolve(folder, `${name}.png`) });
+}
+
+async function pages() {
+  const page = await studio({ width: 1360, height: 800 });
+  await page.evaluate(() => window.surpassStudio.stage.change({ mode: 'split', shading: 'reflection', points: false }));
+  await page.locator('.plot .curve').nth(1).waitFor();
+  await shot(page, 'jug-split-reflection');
+  await page.context().close();
+
+  const dark = await studio({ width: 1180, height: 760 }, 'dark');
+  await open(dark, 'crease_corners.obj');
+  await dark.evaluate(() => window.surpassStudio.stage.change({ shading: 'mean' }));
+  await shot(dark, 'dark-curvature');
+  await dark.context().close();
+
+  const phone = await studio({ width: 390, height: 844 });
+  await shot(phone, 'phone');
+  await phone.context().close();
+
+  const html = resolve(kRoot, 'build/report/example.html');
+  execFileSync(resolve(kRoot, 'build/release/surpass'), ['interpolate', `${kRoot}/data/trefoil.ply`, '-o', `${kRoot}/build/report/example.obj`,
+    '--tolerance', '1e-12', '--html', html, '--quiet']);
+  const context = await browser.newContext({ viewport: { width: 1240, height: 760 } });
+  const report = await context.newPage();
+  await report.goto(`file://${html}`);
+  await report.locator('canvas').waitFor();
+  await report.evaluate(() => window.surpassReport.stage.change({ mode: 'overlay', overlay: ['surface', 'control'], shading: 'gauss' }));
+  await shot(report, 'report');
+  await context.close();
+}
+
+await sheets();
+await pages();
+await browser.close();

@@ -1,0 +1,253 @@
+// The studio's page: header, settings to the left, picture in the middle, results to the right.
+import '../viewer/viewer.css';
+import './studio.css';
+import { CoreClient, type CoreFiles } from '../core/client';
+import type { Exportable, Failure, Progress } from '../core/protocol';
+import { element } from '../viewer/dom';
+import { count } from '../viewer/figures';
+import { Stage } from '../viewer/stage';
+import { themeButton } from '../viewer/theme';
+import { results } from './results';
+import { save, stem } from './save';
+import { Session, type Page } from './session';
+import { settingsForm } from './settings';
+
+declare global {
+  interface Window {
+    /** By core.js and samples.js, which are loaded before this script. */
+    surpassCoreFiles: CoreFiles;
+    surpassSamples: Record<string, string>;
+    /** For measurements and tests. */
+    surpassStudio?: { stage: Stage; session: Session };
+  }
+}
+
+const kSampleNames: Record<string, string> = {
+  'jug.obj': 'Jug', 'twisted_ring.obj': 'Twisted ring', 'trefoil.ply': 'Trefoil knot',
+  'mixed_polygons.obj': 'Mixed polygons', 'crease_corners.obj': 'Creases and corners',
+  'patch_irregular.obj': 'Open patch', 'double_torus.obj': 'Double torus', 'cube.obj': 'Cube', 'blob.stl': 'Blob',
+};
+const kFirstSample = 'jug.obj';
+/** A solve that is over sooner shows no progress. */
+const kPatience = 350;
+const kAccepted = '.obj,.ply,.off,.stl,.xyz,.pwn,.pts';
+
+class Studio implements Page {
+  private readonly stage = new Stage();
+  private readonly session = new Session(new CoreClient(window.surpassCoreFiles), this);
+  private readonly chooser = element('input', { type: 'file', accept: kAccepted, hidden: '', 'aria-label': 'Mesh file' });
+  private readonly samples = element('select', { 'aria-label': 'Sample' });
+  private readonly meshBox = element('section');
+  private readonly settingsBox = element('section');
+  private readonly exportBox = element('section');
+  private readonly resultsBox = element('aside', { class: 'panel right', 'aria-label': 'Results' });
+  private readonly status = element('p', { class: 'status', role: 'status', 'aria-live': 'polite' });
+  private readonly message = element('div', { class: 'message', role: 'alert', hidden: '' });
+  private readonly bar = element('div', { class: 'bar' });
+  private readonly stageName = element('span');
+  private readonly progress = element('div', { class: 'progress', hidden: '' });
+  private readonly exportButton = element('button', { type: 'button', class: 'primary', disabled: '' }, 'Export control mesh');
+  private format = 'obj';
+  private surfaceFormat = 'ply';
+  private shown: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    document.body.append(this.header(), element('main', {},
+      element('aside', { class: 'panel left', 'aria-label': 'Settings' }, this.meshBox, this.settingsBox, this.exportBox),
+      this.stage.root, this.resultsBox));
+    const cancel = element('button', { type: 'button', class: 'small' }, 'Cancel');
+    cancel.addEventListener('click', () => {
+      this.session.cancel();
+      this.status.textContent = 'Cancelled. The picture shows what was found before.';
+    });
+    this.progress.append(element('div', { class: 'progress-text' }, this.stageName, cancel),
+      element('div', { class: 'track', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': '0', 'aria-valuemax': '100' }, this.bar));
+    this.stage.frame.append(this.message, this.progress, element('div', { class: 'drop', 'aria-hidden': 'true' }, 'Drop to open'));
+    this.stage.root.append(this.status);
+    this.acceptDrops();
+    this.drawMeshBox();
+    void this.openSample(kFirstSample);
+    window.surpassStudio = { stage: this.stage, session: this.session };
+  }
+
+  private header(): HTMLElement {
+    const open = element('button', { type: 'button' }, 'Open mesh…');
+    open.addEventListener('click', () => this.chooser.click());
+    this.chooser.addEventListener('change', () => {
+      const file = this.chooser.files?.[0];
+      if (file) void this.openFile(file);
+      this.chooser.value = '';
+    });
+    this.samples.append(element('option', { value: '', disabled: '' }, 'Samples'),
+      ...Object.keys(window.surpassSamples).map((file) => element('option', { value: file }, kSampleNames[file] ?? file)));
+    this.samples.addEventListener('change', () => void this.openSample(this.samples.value));
+    this.exportButton.addEventListener('click', () => void this.exportMesh('control', this.format));
+    return element('header', { class: 'top' },
+      element('h1', {}, 'Surpass ', element('span', { class: 'quiet' }, 'Studio')),
+      this.samples, open, this.exportButton, this.chooser, element('span', { class: 'space' }),
+      themeButton((dark) => this.stage.setDark(dark)));
+  }
+
+  private async openFile(file: File): Promise<void> {
+    this.samples.value = '';
+    await this.session.open(new Uint8Array(await file.arrayBuffer()), file.name);
+  }
+
+  private async openSample(file: string): Promise<void> {
+    this.samples.value = file;
+    const text = atob(window.surpassSamples[file]!);
+    await this.session.open(Uint8Array.from(text, (c) => c.charCodeAt(0)), file);
+  }
+
+  private acceptDrops(): void {
+    const over = (on: boolean) => document.body.classList.toggle('dropping', on);
+    window.addEventListener('dragover', (event) => {
+      event.preventDefault();
+      over(true);
+    });
+    window.addEventListener('dragleave', (event) => {
+      if (event.relatedTarget === null) over(false);
+    });
+    window.addEventListener('drop', (event) => {
+      event.preventDefault();
+      over(false);
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.openFile(file);
+    });
+  }
+
+  // What the session tells.
+
+  opened(session: Session): void {
+    this.message.hidden = true;
+    const { given } = session.loaded!;
+    this.stage.viewer.fit(given.positions);
+    this.stage.show(session.content());
+    this.exportButton.disabled = true;
+    this.drawMeshBox();
+    this.drawSettings();
+    this.drawExports();
+    this.resultsBox.replaceChildren(...results(session));
+  }
+
+  solved(session: Session): void {
+    this.message.hidden = true;
+    this.exportButton.disabled = false;
+    this.stage.show(session.content());
+    this.drawSettings();
+    this.drawExports();
+    this.resultsBox.replaceChildren(...results(session));
+  }
+
+  compared(session: Session): void {
+    this.resultsBox.replaceChildren(...results(session));
+  }
+
+  failed(failure: Failure, session: Session): void {
+    const close = element('button', { type: 'button', class: 'small' }, 'Close');
+    close.addEventListener('click', () => { this.message.hidden = true; });
+    this.message.replaceChildren(element('p', {}, failure.message),
+      element('div', { class: 'actions' }, ...this.remedies(failure, session), close));
+    this.message.hidden = false;
+  }
+
+  private remedies(failure: Failure, session: Session): HTMLElement[] {
+    const remedy = (label: string, act: () => void) => {
+      const button = element('button', { type: 'button', class: 'small primary' }, label);
+      button.addEventListener('click', act);
+      return button;
+    };
+    if (failure.code === 'singular') {
+      return [remedy('Use similarity instead', () => void session.change({ scheme: 'catmull-clark', method: 'similarity', stopAfter: undefined }))];
+    }
+    const mendable = ['non-manifold-edge', 'inconsistent-orientation', 'repeated-vertex', 'degenerate-face', 'duplicate-face'];
+    const file = session.refused;
+    if (file && mendable.includes(failure.code)) {
+      return [remedy('Repair and open', () => void session.open(file.bytes, file.name, { repair: true }))];
+    }
+    return [];
+  }
+
+  busy(progress: Progress | undefined, patient: boolean): void {
+    const percent = progress ? Math.round(100 * progress.fraction) : 0;
+    this.bar.style.width = `${percent}%`;
+    this.bar.parentElement!.setAttribute('aria-valuenow', String(percent));
+    this.stageName.textContent = progress ? `${progress.stage} ${percent} %` : 'Working';
+    if (patient) this.progress.hidden = false;
+    else this.shown ??= setTimeout(() => { this.progress.hidden = false; }, kPatience);
+  }
+
+  idle(): void {
+    clearTimeout(this.shown);
+    this.shown = undefined;
+    this.progress.hidden = true;
+  }
+
+  // The left-hand column.
+
+  private drawMeshBox(): void {
+    const { loaded, name } = this.session;
+    if (!loaded) {
+      this.meshBox.replaceChildren(element('h2', {}, 'Mesh'), element('p', { class: 'quiet' }, 'Loading…'));
+      return;
+    }
+    const faces = loaded.kind === 'mesh' ? `, ${count(loaded.faces)} faces` : '';
+    this.meshBox.replaceChildren(element('h2', {}, 'Mesh'), element('p', { class: 'file' }, name),
+      element('p', { class: 'quiet' }, `${count(loaded.vertices)} ${loaded.kind === 'mesh' ? 'vertices' : 'points'}${faces}`));
+    if (loaded.kind === 'mesh' && !loaded.triangles) {
+      const cut = element('button', { type: 'button', class: 'small', title: 'Then Loop surfaces are possible, too' }, 'Cut into triangles');
+      cut.addEventListener('click', () => void this.session.reopen({ triangulate: true }));
+      this.meshBox.append(cut);
+    }
+    this.status.textContent = `${name}: ${count(loaded.vertices)} ${loaded.kind === 'mesh' ? 'vertices' : 'points'}${faces}`;
+  }
+
+  private drawSettings(): void {
+    const { settings, situation, loaded } = this.session;
+    if (!settings || !situation || loaded?.kind !== 'mesh') {
+      this.settingsBox.replaceChildren();
+      return;
+    }
+    const focused = (document.activeElement as HTMLElement | null)?.id;
+    // A slider that is held must not be replaced under the hand.
+    if (focused && this.settingsBox.querySelector(`#${focused}:active`)) return;
+    this.settingsBox.replaceChildren(element('h2', {}, 'Surface'), settingsForm(settings, situation, (part) => {
+      void this.session.change(part);
+      if (!('levels' in part || 'stopAfter' in part && Object.keys(part).length === 1 || 'tension' in part)) this.drawSettings();
+    }));
+    if (focused) this.settingsBox.querySelector<HTMLElement>(`#${focused}`)?.focus();
+  }
+
+  private drawExports(): void {
+    const { loaded, solved } = this.session;
+    const row = (label: string, formats: readonly string[], chosen: string, choose: (f: string) => void, act: () => void) => {
+      const input = element('select', { 'aria-label': `Format of: ${label}` }, ...formats.map((f) => element('option', { value: f }, f.toUpperCase())));
+      input.value = chosen;
+      input.addEventListener('change', () => choose(input.value));
+      const button = element('button', { type: 'button', class: 'small' }, label);
+      button.addEventListener('click', act);
+      return element('div', { class: 'export-row' }, button, input);
+    };
+    const parts: HTMLElement[] = [element('h2', {}, 'Export')];
+    if (loaded?.kind === 'mesh' && solved) {
+      parts.push(
+        row('Control mesh', ['obj', 'ply', 'off'], this.format, (f) => { this.format = f; }, () => void this.exportMesh('control', this.format)),
+        row('Surface', ['ply', 'obj', 'off', 'stl'], this.surfaceFormat, (f) => { this.surfaceFormat = f; }, () => void this.exportMesh('surface', this.surfaceFormat)));
+    }
+    const picture = element('button', { type: 'button', class: 'small' }, 'Picture (PNG)');
+    picture.addEventListener('click', async () => save(await this.stage.viewer.png(), `${stem(this.session.name)}.png`));
+    parts.push(element('div', { class: 'export-row' }, picture));
+    this.exportBox.replaceChildren(...parts);
+  }
+
+  private async exportMesh(what: Exportable, format: string): Promise<void> {
+    const name = `${stem(this.session.name)}.${what}.${format}`;
+    const written = await this.session.written(what, format);
+    if (!written) return;
+    save(new Blob([written.bytes]), name);
+    const lost = written.notices.length > 0 ? ` ${written.notices.join('; ')}.` : '';
+    this.status.textContent = `Saved ${name}.${lost}`;
+  }
+}
+
+new Studio();

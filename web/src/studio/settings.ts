@@ -1,0 +1,154 @@
+// What the visitor chooses about the surface: the form, and the options that it stands for.
+import type { Loaded, SolveOptions } from '../core/protocol';
+import { element, select, type Choice } from '../viewer/dom';
+
+export interface Settings {
+  scheme: string;
+  boundary: string;
+  method: string;
+  solver: string;
+  tolerance: number;
+  /** Refinements of the shown surface. */
+  levels: number;
+  /** Evaluations to stop after; undefined: as many as it takes. */
+  stopAfter: number | undefined;
+  tension: number;
+}
+
+/** What of the mesh decides which choices there are. */
+export interface Situation {
+  loaded: Loaded;
+  open: boolean;
+  /** Evaluations that the last solve without a stop took. */
+  iterations: number;
+}
+
+/** Vertices up to which the surface follows the sliders while they move. */
+export const kLiveVertices = 20000;
+const kShownVertices = 60000;
+const kMostShown = 1200000;
+const kMostIterations = 10000;
+
+export function suggestedLevels(vertices: number): number {
+  let levels = 0;
+  while (levels < 4 && vertices * 4 ** (levels + 1) <= kShownVertices) ++levels;
+  return levels;
+}
+export function mostLevels(vertices: number): number {
+  let levels = 0;
+  while (levels < 6 && vertices * 4 ** (levels + 1) <= kMostShown) ++levels;
+  return levels;
+}
+
+export function settingsFor(loaded: Loaded): Settings {
+  return {
+    scheme: loaded.scheme, boundary: 'edge-and-corner', method: 'progressive', solver: 'auto',
+    tolerance: 1e-12, levels: suggestedLevels(loaded.vertices), stopAfter: undefined, tension: 0,
+  };
+}
+
+export function solveOptions(s: Settings): SolveOptions {
+  return {
+    scheme: s.scheme, boundary: s.boundary, method: s.method, solver: s.solver, tolerance: s.tolerance,
+    maxIterations: s.method === 'progressive' ? (s.stopAfter ?? kMostIterations) : 1000,
+    tension: s.tension, levels: s.levels,
+  };
+}
+
+const kSchemes: Choice<string>[] = [
+  { value: 'loop', label: 'Loop' },
+  { value: 'catmull-clark', label: 'Catmull-Clark' },
+  { value: 'doo-sabin', label: 'Doo-Sabin' },
+];
+const kMethods: Choice<string>[] = [
+  { value: 'progressive', label: 'Progressive' },
+  { value: 'similarity', label: 'Similarity' },
+  { value: 'fair', label: 'Fair' },
+];
+const kSolvers: Choice<string>[] = [
+  { value: 'auto', label: 'Automatic' }, { value: 'chebyshev', label: 'Chebyshev' },
+  { value: 'richardson', label: 'Richardson (the paper’s)' },
+  { value: 'conjugate-gradient', label: 'Conjugate gradients' },
+  { value: 'gauss-seidel', label: 'Gauss-Seidel' }, { value: 'minres', label: 'MINRES' },
+  { value: 'bicgstab', label: 'BiCGSTAB' },
+];
+const kTolerances: Choice<string>[] = [
+  { value: '1e-6', label: '1e−6' }, { value: '1e-9', label: '1e−9' }, { value: '1e-12', label: '1e−12' },
+];
+
+function boundaries(scheme: string): Choice<string>[] {
+  const loop = scheme === 'loop';
+  return [
+    { value: 'edge-and-corner', label: 'Edge and corner' }, { value: 'edge-only', label: 'Edge only' },
+    ...(loop ? [{ value: 'hoppe', label: 'Hoppe' }, { value: 'interior', label: 'Interior mask' }] : []),
+  ];
+}
+
+interface SliderOptions {
+  id: string;
+  label: string;
+  min: number;
+  max: number;
+  step: number;
+  value: number;
+  text: (value: number) => string;
+  title: string;
+}
+
+function slider(o: SliderOptions, change: (value: number) => void): HTMLElement {
+  const output = element('output', { for: o.id }, o.text(o.value));
+  const input = element('input', {
+    type: 'range', id: o.id, min: String(o.min), max: String(o.max), step: String(o.step), 'aria-valuetext': o.text(o.value),
+  });
+  input.value = String(o.value);
+  input.addEventListener('input', () => {
+    output.textContent = o.text(input.valueAsNumber);
+    input.setAttribute('aria-valuetext', o.text(input.valueAsNumber));
+    change(input.valueAsNumber);
+  });
+  return element('div', { class: 'slider', title: o.title }, element('label', { for: o.id }, o.label), output, input);
+}
+
+/** The sliders that change the shape. A scheme's own shape parameter goes first in this list. */
+function shapeSliders(s: Settings, situation: Situation, change: (part: Partial<Settings>) => void): HTMLElement[] {
+  if (s.method === 'fair') {
+    return [slider({
+      id: 'tension', label: 'Tension', min: 0, max: 0.99, step: 0.01, value: s.tension,
+      text: (v) => v.toFixed(2), title: 'From a thin plate (0) to a stretched membrane',
+    }, (tension) => change({ tension }))];
+  }
+  const most = situation.iterations;
+  if (s.method !== 'progressive' || most < 2) return [];
+  return [slider({
+    id: 'stop-after', label: 'Iterations', min: 1, max: most, step: 1, value: Math.min(s.stopAfter ?? most, most),
+    text: (v) => (v >= most ? `all ${most}` : `${v} of ${most}`),
+    title: 'Stop the iteration early, to see how it gets there',
+  }, (v) => change({ stopAfter: v >= most ? undefined : v }))];
+}
+
+export function settingsForm(s: Settings, situation: Situation, change: (part: Partial<Settings>) => void): HTMLElement {
+  const { loaded } = situation;
+  const schemes = kSchemes.map((c) => ({ ...c, disabled: c.value === 'loop' && !loaded.triangles }));
+  const methods = kMethods.map((c) => ({ ...c, disabled: c.value !== 'progressive' && s.scheme !== 'catmull-clark' }));
+  const form = element('div', { class: 'form' },
+    select('Scheme', schemes, s.scheme, (scheme) => change({
+      scheme, boundary: boundaries(scheme).some((b) => b.value === s.boundary) ? s.boundary : 'edge-and-corner',
+      method: scheme === 'catmull-clark' ? s.method : 'progressive', stopAfter: undefined })),
+    select('Method', methods, s.method, (method) => change({ method, stopAfter: undefined })));
+  if (situation.open) {
+    form.append(select('Boundary', boundaries(s.scheme), s.boundary, (boundary) => change({ boundary, stopAfter: undefined })));
+  }
+  if (s.method === 'progressive') {
+    form.append(select('Solver', kSolvers, s.solver, (solver) => change({ solver, stopAfter: undefined })));
+  }
+  form.append(
+    select('Tolerance', kTolerances, kTolerances.find((t) => Number(t.value) === s.tolerance)!.value,
+      (tolerance) => change({ tolerance: Number(tolerance), stopAfter: undefined })),
+    ...shapeSliders(s, situation, change),
+    slider({
+      id: 'levels', label: 'Fineness', min: 0, max: mostLevels(loaded.vertices), step: 1,
+      value: s.levels, text: (v) => `${v} ${v === 1 ? 'refinement' : 'refinements'}`,
+      title: 'How often the shown surfaces are refined',
+    }, (levels) => change({ levels })));
+  return form;
+}

@@ -1,0 +1,94 @@
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Stage } from '../../src/viewer/stage';
+import { kRoot, surpass } from '../support';
+import { changedFrom, colours, launch, open, picture, radio } from './pages';
+
+declare global {
+  interface Window {
+    surpassReport?: { stage: Stage };
+  }
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'surpass-report-'));
+const data = (name: string) => resolve(kRoot, 'data', name);
+const file = (name: string) => join(folder, name);
+let browser: Browser;
+
+beforeAll(async () => { browser = await launch(); });
+afterAll(async () => browser.close());
+
+async function show(path: string) {
+  const opened = await open(browser, pathToFileURL(path).href);
+  await opened.page.locator('canvas').waitFor();
+  expect(colours(await picture(opened.page))).toBeGreaterThan(8);
+  return opened;
+}
+
+test('interpolate: one file, without a network, with every view and the figures', async () => {
+  const ran = surpass('interpolate', data('sphere_irregular.obj'), '-o', file('c.obj'), '--html', file('i.html'),
+    '--tolerance', '1e-12', '--report', file('i.json'));
+  expect(ran.err).not.toContain('make web');
+  expect(ran.status).toBe(0);
+  const report = JSON.parse(readFileSync(file('i.json'), 'utf8'));
+  expect(report.html).toBe(file('i.html'));
+  const { page, complaints } = await show(file('i.html'));
+  let before = await picture(page);
+  for (const name of ['Given mesh', 'Control mesh', 'Plain limit surface', 'Reflection', 'Mean', 'Gauss', 'Error', 'Split']) {
+    await radio(page, name).check();
+    before = await changedFrom(page, before);
+  }
+  const panel = (await page.locator('.panel').textContent())!;
+  expect(panel).toContain('Largest error');
+  expect(panel).toContain('rounded to 16 bits');
+  expect(await page.locator('.plot .curve').count()).toBe(2);
+  expect(complaints).toEqual([]);
+  await page.context().close();
+});
+
+test('subdivide, compare and reconstruct write one, too', async () => {
+  const torus = data('quad_torus.obj');
+  expect(surpass('subdivide', torus, '-o', file('s.ply'), '--levels', '2', '--limit', '--html', file('s.html')).status).toBe(0);
+  expect(surpass('compare', torus, file('s.ply'), '--accuracy', '1e-3', '--html', file('k.html')).status).toBe(0);
+  expect(surpass('reconstruct', data('sphere_irregular.obj'), '-o', file('r.ply'), '--html', file('r.html')).status).toBe(0);
+  const wanted: [string, string, string][] = [
+    ['s.html', 'Limit surface', 'Refinements'], ['k.html', 'B', 'Hausdorff'], ['r.html', 'Surface', 'Spacing']];
+  for (const [name, layer, figure] of wanted) {
+    const { page, complaints } = await show(file(name));
+    await radio(page, layer).check();
+    expect(await page.locator('.panel').textContent()).toContain(figure);
+    expect(complaints).toEqual([]);
+    await page.context().close();
+  }
+});
+
+test('view writes a page and says where', async () => {
+  const ran = surpass('view', file('c.obj'), data('sphere_irregular.obj'), '--no-browser');
+  expect(ran.status).toBe(0);
+  const { page, complaints } = await show(ran.out.trim());
+  expect(await page.getByRole('radio', { name: 'c.obj, limit surface' }).count()).toBe(1);
+  expect(complaints).toEqual([]);
+  await page.context().close();
+});
+
+test('names from outside stay text', async () => {
+  const evil = file('<img src=x onerror=alert(1)>.obj');
+  writeFileSync(evil, readFileSync(data('cube.obj')));
+  const path = surpass('view', evil, '--html', file('evil.html'), '--no-browser').out.trim();
+  const { page, complaints } = await show(path);
+  expect(await page.locator('img').count()).toBe(0);
+  expect(complaints).toEqual([]);
+  await page.context().close();
+});
+
+test('the same input gives the same page', () => {
+  const write = (name: string) => {
+    surpass('interpolate', data('cube.obj'), '-o', file('same.obj'), '--html', file(name));
+    return readFileSync(file(name), 'utf8');
+  };
+  expect(write('one.html')).toBe(write('two.html'));
+});

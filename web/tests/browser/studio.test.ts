@@ -1,0 +1,247 @@
+import { cpSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Browser } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
+import type { Stage } from '../../src/viewer/stage';
+import type { Session } from '../../src/studio/session';
+import { kRoot, positionsOf, surpass, torus } from '../support';
+import { changedFrom, colours, difference, launch, open, picture, radio, verdict, type Opened } from './pages';
+
+declare global {
+  interface Window {
+    surpassStudio?: { stage: Stage; session: Session };
+  }
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'surpass studio-'));
+let browser: Browser;
+let opened: Opened;
+
+beforeAll(async () => {
+  browser = await launch();
+  // From a folder with a blank in its name, without a server.
+  cpSync(resolve(kRoot, 'build/studio'), join(folder, 'any where'), { recursive: true });
+  opened = await studio();
+});
+afterAll(async () => browser.close());
+afterEach(() => expect(opened.complaints).toEqual([]));
+
+async function studio(options: Parameters<Browser['newContext']>[0] = {}): Promise<Opened> {
+  const found = await open(browser, pathToFileURL(join(folder, 'any where/index.html')).href, options);
+  await verdict(found.page).waitFor();
+  return found;
+}
+
+async function choose(name: string, value: string): Promise<void> {
+  await opened.page.getByLabel(name, { exact: true }).selectOption(value);
+}
+
+async function load(name: string, text: string): Promise<void> {
+  await opened.page.getByLabel('Mesh file').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+}
+
+test('a sample is there at once, and passes through its points', async () => {
+  const { page } = opened;
+  expect(await verdict(page).textContent()).toContain('Passes through every point');
+  expect(colours(await picture(page))).toBeGreaterThan(20);
+  await page.locator('.key', { hasText: 'Richardson' }).waitFor();
+  await page.locator('.key', { hasText: 'Chebyshev' }).waitFor();
+  expect(await page.locator('.plot .curve').count()).toBe(2);
+});
+
+test('every layout, layer and shading has a picture of its own', async () => {
+  const { page } = opened;
+  await page.getByLabel('Fineness').fill('1');
+  await expect.poll(() => page.evaluate(() => window.surpassStudio!.session.settings!.levels)).toBe(1);
+  let before = await picture(page);
+  for (const layer of ['Given mesh', 'Control mesh', 'Plain limit surface', 'Interpolating surface']) {
+    await radio(page, layer).check();
+    before = await changedFrom(page, before);
+    expect(await page.locator('.pane-label').textContent()).toBe(layer);
+  }
+  for (const shading of ['Reflection', 'Mean', 'Gauss', 'Matte']) {
+    await radio(page, shading).check();
+    before = await changedFrom(page, before);
+    expect(await page.locator('.legend').isVisible()).toBe(shading === 'Mean' || shading === 'Gauss');
+  }
+  await radio(page, 'Plain limit surface').check();
+  before = await picture(page);
+  await radio(page, 'Error').check();
+  before = await changedFrom(page, before);
+  await radio(page, 'Overlay').check();
+  before = await changedFrom(page, before);
+  await radio(page, 'Split').check();
+  before = await changedFrom(page, before);
+  await page.getByLabel('Points').uncheck();
+  before = await changedFrom(page, before);
+  expect(await page.locator('.pane-label').allTextContents()).toEqual(['Plain limit surface', 'Interpolating surface']);
+});
+
+test('the divider moves by hand and by keys, and the cameras turn together', async () => {
+  const { page } = opened;
+  const divider = page.getByRole('separator');
+  const box = (await divider.boundingBox())!;
+  await page.mouse.move(box.x + box.width / 2, box.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 130, box.y + 200, { steps: 3 });
+  await page.mouse.up();
+  expect(Number(await divider.getAttribute('aria-valuenow'))).toBeGreaterThan(60);
+  await divider.press('ArrowLeft');
+  await divider.dblclick();
+  expect(await divider.getAttribute('aria-valuenow')).toBe('50');
+  const before = await picture(page);
+  await page.locator('canvas').press('ArrowRight');
+  const after = await changedFrom(page, before);
+  const half = (pixels: number[], right: boolean) => pixels.filter((_, i) => (Math.floor(i / 4) % 96 >= 48) === right);
+  for (const right of [false, true]) expect(difference(half(before, right), half(after, right))).toBeGreaterThan(0.004);
+  await radio(page, 'One').check();
+  await radio(page, 'Interpolating surface').check();
+  await radio(page, 'Matte').check();
+});
+
+test('the surface follows the sliders', async () => {
+  const { page } = opened;
+  await page.getByLabel('Sample').selectOption('cube.obj');
+  await page.locator('.file', { hasText: 'cube.obj' }).waitFor();
+  await choose('Method', 'fair');
+  const tension = page.getByLabel('Tension');
+  await tension.waitFor();
+  let before = await picture(page);
+  await tension.fill('0.9');
+  before = await changedFrom(page, before, 0.002);
+  await page.getByLabel('Fineness').fill('1');
+  await changedFrom(page, before, 0.002);
+
+  await page.getByLabel('Sample').selectOption('jug.obj');
+  const iterations = page.getByLabel('Iterations', { exact: true });
+  await iterations.waitFor();
+  before = await picture(page);
+  await iterations.fill('1');
+  await changedFrom(page, before, 0.002);
+  expect(await verdict(page).textContent()).toContain('Off by');
+});
+
+test('creases and boundaries are marked', async () => {
+  const { page } = opened;
+  await page.getByLabel('Sample').selectOption('crease_corners.obj');
+  await page.locator('.file', { hasText: 'crease_corners' }).waitFor();
+  await verdict(page).filter({ hasText: 'Passes' }).waitFor();
+  const before = await picture(page);
+  await page.getByLabel('Creases and boundary').uncheck();
+  await changedFrom(page, before, 0.002);
+  await page.getByLabel('Creases and boundary').check();
+});
+
+test('from a dropped file to an exported control mesh in two actions, equal to the program’s', async () => {
+  const { page } = opened;
+  const text = readFileSync(resolve(kRoot, 'data/double_torus.obj'), 'utf8');
+  const data = await page.evaluateHandle((content) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], 'mine.obj'));
+    return transfer;
+  }, text);
+  await page.dispatchEvent('body', 'drop', { dataTransfer: data });
+  await page.locator('.file', { hasText: 'mine.obj' }).waitFor();
+  const [download] = await Promise.all([
+    page.waitForEvent('download'), page.getByRole('button', { name: 'Export control mesh' }).click()]);
+  expect(download.suggestedFilename()).toBe('mine.control.obj');
+  const here = join(folder, 'mine.control.obj');
+  await download.saveAs(here);
+
+  const given = resolve(kRoot, 'data/double_torus.obj');
+  const checked = surpass('check', here, '--against', given, '--tolerance', '1e-12');
+  expect(checked.status).toBe(0);
+  const there = join(folder, 'native.obj');
+  expect(surpass('interpolate', given, '-o', there, '--tolerance', '1e-12').status).toBe(0);
+  const [a, b] = [here, there].map((file) => positionsOf(readFileSync(file, 'utf8')));
+  expect(a!.length).toBe(b!.length);
+  const side = Math.max(...[0, 1, 2].map((c) => {
+    const of = b!.filter((_, i) => i % 3 === c);
+    return Math.max(...of) - Math.min(...of);
+  }));
+  expect(Math.max(...a!.map((x, i) => Math.abs(x - b![i]!))) / side).toBeLessThanOrEqual(1e-12);
+});
+
+test('surfaces and pictures are saved, too', async () => {
+  const { page } = opened;
+  const saved = async (name: string) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.locator('.export-row').getByRole('button', { name }).click()]);
+    const file = join(folder, download.suggestedFilename());
+    await download.saveAs(file);
+    return file;
+  };
+  const surface = await saved('Surface');
+  expect(surpass('inspect', surface).out).toContain('vertices');
+  const png = readFileSync(await saved('Picture'));
+  expect(png.subarray(1, 4).toString()).toBe('PNG');
+  expect(png.length).toBeGreaterThan(5000);
+});
+
+test('a broken file shows the library’s own words, and what was open stays', async () => {
+  const { page } = opened;
+  const broken = 'v 0 0 0\nv 1 0 0\nv 0 1 zero\nf 1 2 3\n';
+  await load('broken.obj', broken);
+  const alert = page.getByRole('alert');
+  await alert.waitFor();
+  writeFileSync(join(folder, 'broken.obj'), broken);
+  const words = surpass('inspect', join(folder, 'broken.obj')).err;
+  const said = (await alert.locator('p').textContent())!;
+  expect(said).toContain('broken.obj:3:7');
+  expect(words).toContain(said.replace('broken.obj', '').slice(1));
+  expect(await page.locator('.file').textContent()).toBe('mine.obj');
+  await alert.getByRole('button', { name: 'Close' }).click();
+
+  // What can be mended is mended on request.
+  await load('folded.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 -1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n');
+  await alert.getByRole('button', { name: 'Repair and open' }).click();
+  await page.locator('.file', { hasText: 'folded.obj' }).waitFor();
+  expect(await alert.isVisible()).toBe(false);
+});
+
+test('points show as points', async () => {
+  const { page } = opened;
+  await load('cloud.xyz', Array.from({ length: 400 }, (_, i) => `${Math.cos(i)} ${i / 200} ${Math.sin(i)}`).join('\n'));
+  await page.locator('.panel.right', { hasText: 'surpass reconstruct cloud.xyz' }).waitFor();
+  expect(colours(await picture(page))).toBeGreaterThan(3);
+});
+
+test('a long solve tells how far it is, and can be cancelled', async () => {
+  const { page } = opened;
+  await load('large.obj', torus(300, 120));
+  await page.locator('.file', { hasText: 'large.obj' }).waitFor();
+  const progress = page.getByRole('progressbar');
+  await progress.waitFor();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  expect(await progress.isVisible()).toBe(false);
+  expect(await page.locator('.status').textContent()).toContain('Cancelled');
+  expect(await verdict(page).count()).toBe(0);
+  // And then goes on.
+  await choose('Tolerance', '1e-6');
+  await verdict(page).filter({ hasText: 'Passes' }).waitFor();
+});
+
+test('everything that can be operated has a name', async () => {
+  const { page } = opened;
+  const nameless = await page.evaluate(() => [...document.querySelectorAll('button, select, input, canvas, [role=separator]')]
+    .filter((e) => {
+      const labels = (e as HTMLInputElement).labels;
+      return !e.getAttribute('aria-label') && !(labels && labels.length > 0) && !e.textContent?.trim();
+    }).map((e) => e.outerHTML));
+  expect(nameless).toEqual([]);
+});
+
+test('dark colours, and a phone', async () => {
+  await opened.context.close();
+  opened = await studio({ viewport: { width: 390, height: 844 }, colorScheme: 'dark', isMobile: true, hasTouch: true });
+  const { page } = opened;
+  expect(await page.evaluate(() => document.documentElement.dataset.theme)).toBe('dark');
+  expect((await picture(page)).slice(0, 3)).toEqual([20, 24, 29]);
+  const widths = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+  expect(widths[0]).toBeLessThanOrEqual(widths[1]!);
+  const canvas = (await page.locator('canvas').boundingBox())!;
+  expect(canvas.width).toBeGreaterThan(380);
+  expect(canvas.height).toBeGreaterThan(300);
+  await page.getByRole('button', { name: 'Export control mesh' }).waitFor();
+});

@@ -1,0 +1,115 @@
+import { describe, expect, test } from 'vitest';
+import type { Shape } from '../../src/core/protocol';
+import { colourAt, magnitude, shortNumber, texels } from '../../src/viewer/colour';
+import { connectivityOf, trianglesOf } from '../../src/viewer/connectivity';
+import { defaultView, panesOf } from '../../src/viewer/views';
+import { positionsOf, shapeOf, type PackedLayer } from '../../src/report/decode';
+import { sections } from '../../src/report/summary';
+import { mostLevels, settingsFor, solveOptions, suggestedLevels } from '../../src/studio/settings';
+import { stem } from '../../src/studio/save';
+
+/** A quad and two triangles on its right edge's end: 6 vertices. */
+const kPatch: Shape = {
+  positions: new Float32Array(18),
+  offsets: Uint32Array.of(0, 4, 7, 10),
+  corners: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 4, 5, 2),
+  creases: new Uint32Array(0),
+  channels: {},
+};
+
+describe('connectivity', () => {
+  test('polygons become fans that keep their turn', () => {
+    expect([...trianglesOf(kPatch)]).toEqual([0, 1, 2, 0, 2, 3, 1, 4, 2, 4, 5, 2]);
+  });
+
+  test('every edge once, and the boundary is what has one face', () => {
+    const { edges, boundary } = connectivityOf(kPatch);
+    const named = (pairs: Uint32Array) => Array.from({ length: pairs.length / 2 }, (_, i) => `${pairs[2 * i]}-${pairs[2 * i + 1]}`).sort();
+    expect(named(edges)).toEqual(['0-1', '0-3', '1-2', '1-4', '2-3', '2-4', '2-5', '4-5']);
+    expect(named(boundary)).toEqual(['0-1', '0-3', '1-4', '2-3', '2-5', '4-5']);
+  });
+});
+
+describe('colours', () => {
+  test('the sequential scale grows lighter all the way', () => {
+    const lightness = Array.from({ length: 64 }, (_, i) => {
+      const [r, g, b] = colourAt('sequential', i / 63);
+      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    });
+    for (let i = 1; i < lightness.length; ++i) expect(lightness[i]).toBeGreaterThan(lightness[i - 1]!);
+  });
+
+  test('the diverging scale is lightest in the middle, and its ends are blue and red', () => {
+    const data = texels('diverging');
+    const sum = (i: number) => data[4 * i]! + data[4 * i + 1]! + data[4 * i + 2]!;
+    expect(sum(128)).toBeGreaterThan(sum(0));
+    expect(sum(128)).toBeGreaterThan(sum(255));
+    expect(data[2]!).toBeGreaterThan(data[0]!);
+    expect(data[4 * 255]!).toBeGreaterThan(data[4 * 255 + 2]!);
+  });
+
+  test('the magnitude leaves out the largest few', () => {
+    const values = Float32Array.from({ length: 100 }, (_, i) => (i % 2 ? i : -i));
+    expect(magnitude([values], 1)).toBe(99);
+    expect(magnitude([values], 0.9)).toBeCloseTo(89, -1);
+    expect(magnitude([], 1)).toBeGreaterThan(0);
+  });
+
+  test('numbers are short', () => {
+    expect([0, 0.0192, 2.289645, 5.366e-13, -55.94, 123456].map(shortNumber))
+      .toEqual(['0', '0.0192', '2.29', '5.4e\u221213', '\u221255.9', '1.2e5']);
+  });
+});
+
+test('the panes of a split meet at the divider', () => {
+  const view = { ...defaultView(), mode: 'split' as const, split: 0.3 };
+  expect(panesOf(view)).toEqual([{ ids: ['plain'], from: 0, to: 0.3 }, { ids: ['surface'], from: 0.3, to: 1 }]);
+});
+
+describe('a report’s data', () => {
+  const base64 = (bytes: ArrayBufferLike) => Buffer.from(bytes as ArrayBuffer).toString('base64');
+  test('positions come back within half a step', () => {
+    const step = 4 / 65535;
+    const points = [0.1, -1, 2, 3.9, 0, 1];
+    const packed = { low: [0, -1, 0] as [number, number, number], step,
+      values: base64(Uint16Array.from(points, (x, i) => Math.round((x - [0, -1, 0][i % 3]!) / step)).buffer) };
+    const found = positionsOf(packed, [2, 0, 1], 4);
+    points.forEach((x, i) => expect(Math.abs(found[i]! * 4 + [2, 0, 1][i % 3]! - x)).toBeLessThan(0.51 * step));
+  });
+
+  test('faces of one size and of several', () => {
+    const layer: PackedLayer = { id: 'a', label: 'A', kind: 'mesh', positions: { low: [0, 0, 0], step: 1, values: '' },
+      corners: base64(Uint32Array.of(0, 1, 2, 2, 1, 3).buffer), creases: '', channels: {}, degree: 3, index_bytes: 4 };
+    expect([...shapeOf(layer, [0, 0, 0], 1).offsets]).toEqual([0, 3, 6]);
+    const mixed: PackedLayer = { ...layer, degrees: base64(Uint32Array.of(4, 2).buffer) };
+    delete mixed.degree;
+    expect([...shapeOf({ ...layer, corners: base64(Uint16Array.of(3, 1, 2).buffer), index_bytes: 2 }, [0, 0, 0], 1).corners]).toEqual([3, 1, 2]);
+    expect([...shapeOf(mixed, [0, 0, 0], 1).offsets]).toEqual([0, 4, 6]);
+  });
+
+  test('figures are those that the report has', () => {
+    const found = sections({ command: 'interpolate', scheme: 'loop', error: { max: 2e-13, mean: 1e-14 } });
+    expect(found.map((s) => s.title)).toEqual(['Certificate, of the box side', 'Surface']);
+    expect(found[0]!.figures[0]).toEqual({ name: 'Largest error', value: '2e\u221213' });
+  });
+});
+
+describe('settings', () => {
+  const loaded = { kind: 'mesh' as const, format: 'obj', notices: [], vertices: 900, faces: 1800, triangles: true,
+    scheme: 'loop', boxSide: 1, given: kPatch };
+  test('what is shown stays within what a page can hold', () => {
+    expect(suggestedLevels(8)).toBe(4);
+    expect(suggestedLevels(900)).toBe(3);
+    expect(suggestedLevels(250000)).toBe(0);
+    expect(mostLevels(250000)).toBe(1);
+  });
+  test('only the progressive method is stopped early', () => {
+    const settings = { ...settingsFor(loaded), stopAfter: 3 };
+    expect(solveOptions(settings).maxIterations).toBe(3);
+    expect(solveOptions({ ...settings, method: 'fair' }).maxIterations).toBe(1000);
+    expect(solveOptions({ ...settings, stopAfter: undefined }).maxIterations).toBe(10000);
+  });
+  test('names of files', () => {
+    expect(['a/b/jug.obj', 'x', 'my.mesh.ply', '.obj'].map(stem)).toEqual(['jug', 'x', 'my.mesh', 'mesh']);
+  });
+});
