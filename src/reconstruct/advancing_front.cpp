@@ -6,9 +6,6 @@
 #include <iterator>
 #include <numeric>
 #include <tuple>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -117,14 +114,6 @@ Delaunay triangulate(std::span<const Point> points, const Context& context) {
   return triangulation;
 }
 
-// What CGAL took in small pieces and gave back goes to the system, before the next steps take
-// theirs.
-void return_memory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
 std::vector<Triangle> run_front(std::span<const Point> points, double perimeter,
                                 const Context& context) {
   Delaunay triangulation = triangulate(points, context);
@@ -155,9 +144,7 @@ Result<std::vector<Triangle>> advancing_front(std::span<const Point> points, dou
                                               const Context& context) {
   const ThrowingChecks checks;
   try {
-    std::vector<Triangle> triangles = run_front(points, perimeter, context);
-    return_memory();
-    return triangles;
+    return run_front(points, perimeter, context);
   } catch (const Cancelled&) {
     return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
   } catch (const std::bad_alloc&) {
