@@ -8,6 +8,7 @@ Miura). Writes OUTPUT/doo-sabin-reconstruction.md. Exits with 1 where a genus, a
 the interpolation is not what it should be.
 """
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -49,9 +50,14 @@ class Runner:
     def reconstruct(self, cloud, *options):
         """Mesh, control mesh and report."""
         mesh, control, report = (self.folder / n for n in ("mesh.ply", "control.ply", "report.json"))
-        subprocess.run([self.surpass, "reconstruct", cloud, "-o", mesh, "--control", control, "--report",
-                        report, "--quiet", *options], check=True)
-        return mesh, control, json.loads(report.read_text())
+        child = subprocess.Popen([self.surpass, "reconstruct", cloud, "-o", mesh, "--control", control,
+                                  "--report", report, "--quiet", *options])
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        if child.returncode != 0:
+            sys.exit(f"reconstruct failed on {cloud}")
+        # Processor seconds: the clock's tell as much of what else the machine does.
+        return mesh, control, {**json.loads(report.read_text()), "processor": usage.ru_utime + usage.ru_stime}
 
     def iterations(self, mesh, solver):
         """Evaluations of the limit until every vertex is within 1e-6."""
@@ -81,7 +87,7 @@ def genus_of(report):
 
 def row(name, report, counts, paper):
     found, used = report["reconstruction"], report["distance"]["used"]
-    seconds, memory = report["seconds"]["total"], report["peak_memory_bytes"] / 1e6
+    seconds, memory = report["processor"], report["peak_memory_bytes"] / 1e6
     return (f"| {name} | {found['points']} | {report['mesh']['vertices']} | {paper} | {genus_of(report)} | "
             f"{found['polyhedron']['max']:.1e} | {used['max']:.1e} | {used['mean']:.1e} | "
             f"{used['percentile99']:.1e} | {counts[0]} | {counts[1]} | {seconds:.1f} | {memory:.0f} |")
@@ -155,7 +161,7 @@ def main():
     text = "\n".join([
         HEAD, "## Every point a vertex", "",
         "`surpass reconstruct POINTS -o MESH --control CONTROL`. PI is the paper's iteration (`richardson`), counted as",
-        "evaluations of the limit until 1e-6; seconds and megabytes are of the whole command.", "",
+        "evaluations of the limit until 1e-6; processor seconds and peak megabytes are of the whole command.", "",
         COLUMNS, *full, "", *BUST, "", "## The paper's numbers of vertices", "",
         "`--vertices N`. Distances to the limit surface are those of all points that the full mesh uses.",
         "The paper gives 1e-6 as the error for every model; of what, it does not say.", "",

@@ -81,10 +81,10 @@ const char* name_of(RenderStyle style) {
 }
 
 const std::vector<RenderStyle>& all_render_styles() {
-  static const std::vector<RenderStyle> kAll = {RenderStyle::matte,     RenderStyle::reflection,
-                                                RenderStyle::wireframe, RenderStyle::curvature,
-                                                RenderStyle::gaussian,  RenderStyle::error};
-  return kAll;
+  static const std::vector<RenderStyle> styles = {RenderStyle::matte,     RenderStyle::reflection,
+                                                  RenderStyle::wireframe, RenderStyle::curvature,
+                                                  RenderStyle::gaussian,  RenderStyle::error};
+  return styles;
 }
 
 Result<RenderStyle> render_style_named(const std::string& name) {

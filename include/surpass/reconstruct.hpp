@@ -100,7 +100,7 @@ struct Reconstruction {
 /// orients and simplifies. Channels (#points rows) are carried to the vertices. The result does not
 /// depend on the number of threads.
 ///
-/// Linear in practice; about 1.7 kB a point at the peak. Errors: fewer than four different finite
+/// Linear in practice; about 2.4 kB a point at the peak. Errors: fewer than four different finite
 /// points, points on one line (`unsuitable_for_scheme`), coordinates so large that their box
 /// overflows, options out of range, too little memory (`too_large`), cancelled.
 [[nodiscard]] Result<Reconstruction> reconstruct(std::span<const Point> points,

@@ -224,9 +224,12 @@ Result<Holes> fill_holes(Mesh& mesh, Closing closing, const Context& context) {
   if (closing == Closing::none || loops.empty()) return holes;
   const Components pieces = find_components(*topology);
   const std::vector<std::size_t> sizes = vertices_of_pieces(*topology, pieces);
+  // Chords join vertices of loops, so no other edges can be in their way.
   Edges edges;
   for (Index h = 0; h < topology->corner_count(); ++h) {
-    edges.add(topology->tail(h), topology->head(h));
+    const Index a = topology->tail(h);
+    const Index b = topology->head(h);
+    if (topology->is_boundary(a) && topology->is_boundary(b)) edges.add(a, b);
   }
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const double done = static_cast<double>(i) / static_cast<double>(loops.size());

@@ -29,8 +29,8 @@ Result<double> spacing_of(const Cloud& cloud, const Neighbours& neighbours,
   const auto done =
       for_points(context, "spacing", means.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<Index> near;
-        for (std::size_t i = begin; i < end; ++i) {
-          neighbours.nearest(static_cast<Index>(i), kNeighbours, near);
+        for (const Index i : neighbours.in_space().subspan(begin, end - begin)) {
+          neighbours.nearest(i, kNeighbours, near);
           for (const Index j : near) means[i] += distance(cloud.points[i], cloud.points[j]);
           means[i] /= static_cast<double>(near.size());
         }

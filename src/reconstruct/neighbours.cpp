@@ -31,6 +31,8 @@ Neighbours::Neighbours(std::span<const Point> points)
 
 Neighbours::~Neighbours() = default;
 
+std::span<const Index> Neighbours::in_space() const { return tree_->index.vAcc; }
+
 void Neighbours::nearest(Index i, std::size_t k, std::vector<Index>& found) const {
   std::vector<double> distances(k + 1);
   found.resize(k + 1);

@@ -21,6 +21,9 @@ class Neighbours {
   /// there are not as many).
   void nearest(Index i, std::size_t k, std::vector<Index>& found) const;
 
+  /// Every point once, near ones near each other: who asks in this order stays in the cache.
+  [[nodiscard]] std::span<const Index> in_space() const;
+
  private:
   struct Tree;
   std::span<const Point> points_;

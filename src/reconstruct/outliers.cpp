@@ -46,9 +46,9 @@ Result<std::vector<unsigned char>> find_outliers(const Cloud& cloud, const Neigh
   const auto done =
       for_points(context, "outliers", found.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<Index> near;
-        for (std::size_t i = begin; i < end; ++i) {
-          neighbours.nearest(static_cast<Index>(i), kNeighbours, near);
-          found[i] = suspicion(cloud, static_cast<Index>(i), near, spacing);
+        for (const Index i : neighbours.in_space().subspan(begin, end - begin)) {
+          neighbours.nearest(i, kNeighbours, near);
+          found[i] = suspicion(cloud, i, near, spacing);
         }
       });
   if (!done) return tl::make_unexpected(done.error());

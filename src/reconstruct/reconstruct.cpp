@@ -26,7 +26,7 @@ constexpr double kSmoothTwiceFrom = 0.5;
 constexpr double kBoundWithOutliers = 8;
 constexpr double kUntie = 1e-4;        // spacings: nothing beside what scanners scatter
 constexpr double kSmallPiece = 0.005;  // of the faces
-constexpr std::size_t kBytesAPoint = 1700;
+constexpr std::size_t kBytesAPoint = 2400;
 constexpr char kSource[] = "source";  // a channel while vertices change their numbers
 
 Result<void> check(const ReconstructOptions& options) {
@@ -218,11 +218,12 @@ Result<void> Run::clean_mesh() {
   report().dropped_pieces =
       drop_small_pieces(mesh_, rough ? kSmallPiece : std::min(kSmallPiece, 10 / faces));
   if (const auto made = make_manifold(); !made) return made;
-  const Mesh unfilled = mesh_;
+  const Index unfilled = mesh_.face_count();
   Result<Holes> holes = fill_holes(mesh_, options_.close, context_);
   if (!holes) return tl::make_unexpected(holes.error());
   if (holes->filled > 0 && !Topology::build(mesh_)) {  // a loop through a vertex twice, perhaps
-    mesh_ = unfilled;
+    mesh_.face_vertices.resize(mesh_.face_offsets[unfilled]);
+    mesh_.face_offsets.resize(unfilled + 1);
     holes = Holes{0, holes->filled + holes->left};
   }
   report().filled_loops = holes->filled;

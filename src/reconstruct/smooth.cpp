@@ -13,10 +13,10 @@ Result<std::vector<Point>> smooth(const Cloud& cloud, unsigned passes, const Con
     const auto done =
         for_points(context, "smooth", points.size(), [&](std::size_t begin, std::size_t end) {
           std::vector<Index> near;
-          for (std::size_t i = begin; i < end; ++i) {
-            neighbours.nearest(static_cast<Index>(i), kNeighbours, near);
+          for (const Index i : neighbours.in_space().subspan(begin, end - begin)) {
+            neighbours.nearest(i, kNeighbours, near);
             if (near.size() < 6) continue;
-            moved[i] = fit_quadric(points, static_cast<Index>(i), near).projected;
+            moved[i] = fit_quadric(points, i, near).projected;
           }
         });
     if (!done) return tl::make_unexpected(done.error());

@@ -64,19 +64,28 @@ constexpr float kBlank = 2.5F;
 constexpr float kPenWidth = 0.13F;  // of the height
 constexpr float kInk = 40;          // sRGB
 
-float advance(char c) {
+// Calls visit(right, up, pen_down) for the places of a letter's lines in their order.
+template <class Visit>
+void for_each_place(char c, const Visit& visit) {
   const std::string_view strokes = strokes_of(c);
-  if (strokes.empty()) return kBlank;
-  float right = 0;
+  bool pen_down = false;
   for (std::size_t i = 0; i < strokes.size();) {
     if (strokes[i] == ' ') {
+      pen_down = false;
       ++i;
       continue;
     }
-    right = std::max(right, static_cast<float>(strokes[i] - '0'));
+    visit(static_cast<float>(strokes[i] - '0'), static_cast<float>(strokes[i + 1] - '0'), pen_down);
+    pen_down = true;
     i += 2;
   }
-  return right + kGap;
+}
+
+float advance(char c) {
+  if (strokes_of(c).empty()) return kBlank;
+  float widest = 0;
+  for_each_place(c, [&](float right, float, bool) { widest = std::max(widest, right); });
+  return widest + kGap;
 }
 
 struct Segment {
@@ -87,23 +96,12 @@ std::vector<Segment> segments_of(std::string_view text, float x, float y, float 
   const float step = height / kGrid;
   std::vector<Segment> segments;
   for (const char c : text) {
-    const std::string_view strokes = strokes_of(c);
-    const Vec2* last = nullptr;
-    Vec2 place;
-    Vec2 before;
-    for (std::size_t i = 0; i < strokes.size();) {
-      if (strokes[i] == ' ') {
-        last = nullptr;
-        ++i;
-        continue;
-      }
-      place = {x + step * static_cast<float>(strokes[i] - '0'),
-               y - step * (static_cast<float>(strokes[i + 1] - '0') - kBase)};
-      if (last != nullptr) segments.push_back({before, place});
+    Vec2 before = Vec2::Zero();
+    for_each_place(c, [&](float right, float up, bool pen_down) {
+      const Vec2 place(x + step * right, y - step * (up - kBase));
+      if (pen_down) segments.push_back({before, place});
       before = place;
-      last = &before;
-      i += 2;
-    }
+    });
     x += step * advance(c);
   }
   return segments;
@@ -116,6 +114,15 @@ float distance(const Vec2& p, const Segment& s) {
   return (s.a + t * along - p).norm();
 }
 
+void darken(Image& image, int x, int y, float ink) {
+  const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                  static_cast<std::size_t>(x);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto paper = static_cast<float>(image.pixels[3 * at + k]);
+    image.pixels[3 * at + k] = static_cast<std::uint8_t>(std::lround(paper + ink * (kInk - paper)));
+  }
+}
+
 }  // namespace
 
 float text_width(std::string_view text, float height) {
@@ -125,28 +132,20 @@ float text_width(std::string_view text, float height) {
 }
 
 void write_text(Image& image, std::string_view text, float x, float y, float height) {
+  constexpr int kReach = 2;  // of the pen beyond its places, in pixels
   const float half = std::max(0.55F, kPenWidth * height / 2);
   const std::vector<Segment> segments = segments_of(text, x, y, height);
-  const int reach = 2;
-  const int left = std::max(0, static_cast<int>(x) - reach);
-  const int right =
-      std::min(image.width, static_cast<int>(x + text_width(text, height)) + 2 * reach);
-  const int top = std::max(0, static_cast<int>(y - height) - reach);
-  const int bottom = std::min(image.height, static_cast<int>(y + height / 3) + 2 * reach);
+  const float end = x + text_width(text, height);
+  const int left = std::max(0, static_cast<int>(x) - kReach);
+  const int right = std::min(image.width, static_cast<int>(end) + 2 * kReach);
+  const int top = std::max(0, static_cast<int>(y - height) - kReach);
+  const int bottom = std::min(image.height, static_cast<int>(y + height / 3) + 2 * kReach);
   for (int j = top; j < bottom; ++j) {
     for (int i = left; i < right; ++i) {
       const Vec2 centre(static_cast<float>(i) + 0.5F, static_cast<float>(j) + 0.5F);
       float nearest = half + 1;
       for (const Segment& s : segments) nearest = std::min(nearest, distance(centre, s));
-      const float ink = std::clamp(0.5F + half - nearest, 0.0F, 1.0F);
-      if (ink == 0) continue;
-      std::uint8_t* pixel =
-          &image.pixels[3 * (static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
-                             static_cast<std::size_t>(i))];
-      for (int k = 0; k < 3; ++k) {
-        pixel[k] = static_cast<std::uint8_t>(std::lround(
-            static_cast<float>(pixel[k]) + ink * (kInk - static_cast<float>(pixel[k]))));
-      }
+      darken(image, i, j, std::clamp(0.5F + half - nearest, 0.0F, 1.0F));
     }
   }
 }

@@ -123,20 +123,20 @@ RenderOptions without_legend(RenderOptions options, int legend) {
 
 }  // namespace
 
-Result<Image> render(const Mesh& mesh, const RenderOptions& given, const Context& context) {
-  if (auto checked = check_options(given); !checked) return tl::make_unexpected(checked.error());
-  if (auto checked = check_field(mesh, given); !checked) {
+Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Context& context) {
+  if (auto checked = check_options(options); !checked) return tl::make_unexpected(checked.error());
+  if (auto checked = check_field(mesh, options); !checked) {
     return tl::make_unexpected(checked.error());
   }
-  const int legend = given.shading == Shading::field ? picture::legend_width(given) : 0;
-  const RenderOptions options = without_legend(given, legend);
-  const auto display = picture::make_display_mesh(mesh, options, context);
+  const int legend = options.shading == Shading::field ? picture::legend_width(options) : 0;
+  const RenderOptions fitted = without_legend(options, legend);
+  const auto display = picture::make_display_mesh(mesh, fitted, context);
   if (!display) return tl::make_unexpected(display.error());
-  const Camera camera = aim(mesh, *display, options);
+  const Camera camera = aim(mesh, *display, fitted);
   const std::vector<Vec3> points = to_unit(mesh.points, camera);
   Cloud cloud;
   if (display->triangles.empty()) cloud = picture::look_at_cloud(points, context);
-  const std::vector<Ball> balls = balls_of(points, cloud, options, camera);
+  const std::vector<Ball> balls = balls_of(points, cloud, fitted, camera);
   // While it runs, Embree limits TBB to the processor's threads; to ask for more would make TBB
   // complain on stderr.
   Context limited = context;
@@ -144,15 +144,15 @@ Result<Image> render(const Mesh& mesh, const RenderOptions& given, const Context
   const auto scene = Scene::build(points, display->triangles, balls, limited.threads);
   if (!scene) return tl::make_unexpected(scene.error());
 
-  const Painter painter(*display, points, *scene, cloud.normals, camera, options);
-  Image image{options.width, options.height, {}};
-  image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(options.width) *
-                      static_cast<std::size_t>(options.height));
+  const Painter painter(*display, points, *scene, cloud.normals, camera, fitted);
+  Image image{fitted.width, fitted.height, {}};
+  image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(fitted.width) *
+                      static_cast<std::size_t>(fitted.height));
   if (!painter.paint(image, limited)) {
     return fail(ErrorCode::cancelled, "the picture was cancelled");
   }
   if (legend == 0) return image;
-  return beside({image, picture::draw_legend(*options.field, legend, options.height)});
+  return beside({image, picture::draw_legend(*fitted.field, legend, fitted.height)});
 }
 
 }  // namespace surpass
