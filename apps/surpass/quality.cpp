@@ -71,10 +71,8 @@ class Quality : public Command {
   Result<void> run(Session& session) override {
     if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
     if (rules_.nonstationary() && !reference_path_.empty()) {
-      return fail(
-          ErrorCode::invalid_argument,
-          "--reference compares surfaces of one scheme that has normals without parameters; "
-          "leave it out for nonstationary-loop");
+      return fail(ErrorCode::invalid_argument,
+                  "--reference is not for nonstationary-loop; leave it out");
     }
     std::vector<std::string> inputs = paths_;
     for (const std::string& path : nonstationary_.inputs()) inputs.push_back(path);

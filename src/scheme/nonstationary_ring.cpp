@@ -1,6 +1,7 @@
 // A ring whose edges have parameters of their own: the vertex leaves the line to the centroid, but
 // one ring still makes the next, so its limit is a row over one ring. Later levels are composed
 // with earlier ones, backwards from the level at which every rule is Loop's.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -52,7 +53,8 @@ std::vector<RingStep> ring_steps(double alpha, std::vector<double> spokes,
 RingLimit ring_limit(double alpha, const std::vector<double>& spokes,
                      const NonstationaryOptions& options) {
   const std::size_t n = spokes.size();
-  const auto steps = ring_steps(alpha, spokes, options);
+  auto steps = ring_steps(alpha, spokes, options);
+  std::reverse(steps.begin(), steps.end());
   const double ring = ring_weight(static_cast<Index>(n), options.weights);
   const double share = ring / (ring + 3.0 / 8);
   RingLimit limit{Mask(n + 1, share / static_cast<double>(n)),
@@ -64,10 +66,10 @@ RingLimit ring_limit(double alpha, const std::vector<double>& spokes,
     limit.tangents.second[1 + j] = std::sin(angle);
   }
   const double shrunk = 3.0 / 8 + std::cos(2 * std::numbers::pi / static_cast<double>(n)) / 4;
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    limit.position = composed(limit.position, *step);
+  for (const RingStep& step : steps) {
+    limit.position = composed(limit.position, step);
     for (Mask* tangent : {&limit.tangents.first, &limit.tangents.second}) {
-      *tangent = composed(*tangent, *step);
+      *tangent = composed(*tangent, step);
       for (double& w : *tangent) w /= shrunk;
       // What rounding has left of the position would grow from level to level.
       const double sum = std::accumulate(tangent->begin(), tangent->end(), 0.0);
