@@ -16,22 +16,22 @@ namespace surpass::bench {
 namespace {
 
 // The quads as a file, and what is made of it, as long as anybody needs them.
-struct Files {
+struct QuadFiles {
   std::string obj;
-  Files(const Mesh& mesh, std::string path) : obj(std::move(path)) {
+  QuadFiles(const Mesh& mesh, std::string path) : obj(std::move(path)) {
     if (const auto ok = write_mesh(mesh, obj); !ok) throw std::runtime_error(describe(ok.error()));
   }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-  ~Files() {
+  QuadFiles(const QuadFiles&) = delete;
+  QuadFiles& operator=(const QuadFiles&) = delete;
+  ~QuadFiles() {
     ::unlink(obj.c_str());
     ::unlink(control().c_str());
   }
   [[nodiscard]] std::string control() const { return obj + ".control.ply"; }
 };
 
-struct Run {
-  std::shared_ptr<const Files> files;
+struct SimilarityRun {
+  std::shared_ptr<const QuadFiles> files;
   std::string form;
   std::string solver;
   [[nodiscard]] std::vector<std::string> arguments() const {
@@ -41,7 +41,7 @@ struct Run {
   }
 };
 
-Verdict judge(const Workload& workload, const Run& run) {
+Verdict judge_similarity(const Workload& workload, const SimilarityRun& run) {
   const auto read = read_mesh(run.files->control());
   if (!read) throw std::runtime_error(describe(read.error()));
   const Mesh& given = workload.quads();
@@ -66,13 +66,13 @@ void add_run(Harness& harness, Index side, const std::string& form, const std::s
       side,
       [form, solver, tool](const Workload& w) {
         const std::string path = w.obj() + "." + form + "." + solver + ".obj";
-        const Run run{std::make_shared<const Files>(w.quads(), path), form, solver};
+        const SimilarityRun run{std::make_shared<const QuadFiles>(w.quads(), path), form, solver};
         return [run] {
           run_program(run.arguments());
           return run;
         };
       },
-      judge);
+      judge_similarity);
 }
 
 }  // namespace

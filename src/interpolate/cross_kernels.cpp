@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "interpolate/each_machine.hpp"
 #include "interpolate/regular_patch.hpp"
 
 namespace surpass {
@@ -105,133 +104,192 @@ std::vector<RowLaw> scaled_laws(const CrossKind& kind, const std::vector<RowLaw>
 
 namespace {
 
-using Bits [[gnu::vector_size(64)]] = long long;
+// The vectors of some lanes.
+template <class W>
+struct Vectors {
+  typename W::Numbers of[3];
+};
 
-[[gnu::always_inline]] inline void weigh(const RowLaw& law, const Lanes& square, Lanes& weight) {
-  const Lanes found = law.numerator / (law.slope * square + law.constant);
-  const Bits above = square > law.threshold;
-  weight = reinterpret_cast<Lanes>(reinterpret_cast<Bits>(found) & above);
+template <class W>
+[[gnu::always_inline]] inline typename W::Numbers& at(double* lanes) {
+  return *reinterpret_cast<typename W::Numbers*>(lanes);
+}
+template <class W>
+[[gnu::always_inline]] inline const typename W::Numbers& at(const double* lanes) {
+  return *reinterpret_cast<const typename W::Numbers*>(lanes);
 }
 
-// A row times points.
-[[gnu::always_inline]] inline void derive(const CrossKind& kind, const CrossKind::Row& row,
-                                          const LaneVectors* points, LaneVectors& sum) {
-  sum = {};
-  for (std::size_t i = row.begin; i < row.end; ++i) {
-    const LaneVectors& p = points[kind.column[i]];
-    for (std::size_t c = 0; c < 3; ++c) sum.of[c] += kind.weight[i] * p.of[c];
-  }
-}
-
-[[gnu::always_inline]] inline void dot(const LaneVectors& a, const LaneVectors& b, Lanes& product) {
+template <class W>
+[[gnu::always_inline]] inline void dot(const Vectors<W>& a, const Vectors<W>& b,
+                                       typename W::Numbers& product) {
   product = a.of[0] * b.of[0] + a.of[1] * b.of[1] + a.of[2] * b.of[2];
 }
 
+template <class W>
+[[gnu::always_inline]] inline void weigh(const RowLaw& law, const typename W::Numbers& square,
+                                         typename W::Numbers& weight) {
+  using Numbers = typename W::Numbers;
+  using Bits = typename W::Bits;
+  const Numbers found = law.numerator / (law.slope * square + law.constant);
+  const Bits above = square > law.threshold;
+  weight = reinterpret_cast<Numbers>(reinterpret_cast<Bits>(found) & above);
+}
+
 // q becomes the weight times (g.g q - g.q g).
-[[gnu::always_inline]] inline void cross_twice(const RowLaw& law, const LaneVectors& g,
-                                               LaneVectors& q) {
-  Lanes square;
-  Lanes along;
-  Lanes weight;
-  dot(g, g, square);
-  dot(g, q, along);
-  weigh(law, square, weight);
+template <class W>
+[[gnu::always_inline]] inline void cross_twice(const RowLaw& law, const Vectors<W>& g,
+                                               Vectors<W>& q) {
+  typename W::Numbers square;
+  typename W::Numbers along;
+  typename W::Numbers weight;
+  dot<W>(g, g, square);
+  dot<W>(g, q, along);
+  weigh<W>(law, square, weight);
   square *= weight;
   along *= weight;
   for (std::size_t c = 0; c < 3; ++c) q.of[c] = square * q.of[c] - along * g.of[c];
 }
 
-[[gnu::always_inline]] inline void regular_derivatives(const LaneVectors* points,
-                                                       LaneVectors* rows) {
+// A row times points; of the lanes from `first` on, as below.
+template <class W>
+[[gnu::always_inline]] inline void derive(const CrossKind& kind, const CrossKind::Row& row,
+                                          const LaneVectors* points, std::size_t first,
+                                          Vectors<W>& sum) {
+  sum = {};
+  for (std::size_t i = row.begin; i < row.end; ++i) {
+    const LaneVectors& p = points[kind.column[i]];
+    for (std::size_t c = 0; c < 3; ++c) sum.of[c] += kind.weight[i] * at<W>(p.of[c] + first);
+  }
+}
+
+template <class W>
+[[gnu::always_inline]] inline void regular_derivatives(const LaneVectors* points, std::size_t first,
+                                                       Vectors<W>* rows) {
   for (std::size_t c = 0; c < 3; ++c) {
-    Lanes p[regular_patch::kPoints];
-    Lanes r[regular_patch::kRows];
+    typename W::Numbers p[regular_patch::kPoints];
+    typename W::Numbers r[regular_patch::kRows];
     for (std::size_t k = 0; k < regular_patch::kPoints; ++k) {
-      p[regular_patch::kPlace[k]] = points[k].of[c];
+      p[regular_patch::kPlace[k]] = at<W>(points[k].of[c] + first);
     }
     regular_patch::derivatives(p, r);
     for (std::size_t k = 0; k < regular_patch::kRows; ++k) rows[k].of[c] = r[k];
   }
 }
 
+template <class W>
 [[gnu::always_inline]] inline void regular_gradient(const RowLaw* laws,
                                                     const LaneVectors* reference,
-                                                    const LaneVectors* x, LaneVectors* sums) {
-  LaneVectors g[regular_patch::kRows];
-  LaneVectors q[regular_patch::kRows];
-  regular_derivatives(reference, g);
-  regular_derivatives(x, q);
-  for (std::size_t r = 0; r < regular_patch::kRows; ++r) cross_twice(laws[r], g[r], q[r]);
+                                                    const LaneVectors* x, std::size_t first,
+                                                    LaneVectors* sums) {
+  Vectors<W> g[regular_patch::kRows];
+  Vectors<W> q[regular_patch::kRows];
+  regular_derivatives<W>(reference, first, g);
+  regular_derivatives<W>(x, first, q);
+  for (std::size_t r = 0; r < regular_patch::kRows; ++r) cross_twice<W>(laws[r], g[r], q[r]);
   for (std::size_t c = 0; c < 3; ++c) {
-    Lanes p[regular_patch::kPoints];
-    Lanes r[regular_patch::kRows];
+    typename W::Numbers p[regular_patch::kPoints];
+    typename W::Numbers r[regular_patch::kRows];
     for (std::size_t k = 0; k < regular_patch::kRows; ++k) r[k] = q[k].of[c];
     regular_patch::collect(r, p);
     for (std::size_t k = 0; k < regular_patch::kPoints; ++k) {
-      sums[k].of[c] = p[regular_patch::kPlace[k]];
+      at<W>(sums[k].of[c] + first) = p[regular_patch::kPlace[k]];
+    }
+  }
+}
+
+template <class W>
+[[gnu::always_inline]] inline void squares_of(const CrossKind& kind, const LaneVectors* reference,
+                                              std::size_t first, LaneNumbers* squares) {
+  if (kind.is_regular) {
+    Vectors<W> g[regular_patch::kRows];
+    regular_derivatives<W>(reference, first, g);
+    for (std::size_t r = 0; r < regular_patch::kRows; ++r) {
+      dot<W>(g[r], g[r], at<W>(squares[r].value + first));
+    }
+    return;
+  }
+  for (std::size_t r = 0; r < kind.rows.size(); ++r) {
+    Vectors<W> g;
+    derive<W>(kind, kind.rows[r], reference, first, g);
+    dot<W>(g, g, at<W>(squares[r].value + first));
+  }
+}
+
+template <class W>
+[[gnu::always_inline]] inline void gradient_of(const CrossKind& kind, const RowLaw* laws,
+                                               const LaneVectors* reference, const LaneVectors* x,
+                                               std::size_t first, LaneVectors* sums) {
+  if (kind.is_regular) return regular_gradient<W>(laws, reference, x, first, sums);
+  for (std::size_t k = 0; k < kind.columns; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) at<W>(sums[k].of[c] + first) = typename W::Numbers{};
+  }
+  for (std::size_t r = 0; r < kind.rows.size(); ++r) {
+    const CrossKind::Row& row = kind.rows[r];
+    Vectors<W> g;
+    Vectors<W> q;
+    derive<W>(kind, row, reference, first, g);
+    derive<W>(kind, row, x, first, q);
+    cross_twice<W>(laws[r], g, q);
+    for (std::size_t i = row.begin; i < row.end; ++i) {
+      LaneVectors& to = sums[kind.column[i]];
+      for (std::size_t c = 0; c < 3; ++c) at<W>(to.of[c] + first) += kind.weight[i] * q.of[c];
+    }
+  }
+}
+
+template <class W>
+[[gnu::always_inline]] inline void diagonal_of(const CrossKind& kind, const RowLaw* laws,
+                                               const LaneVectors* reference, std::size_t first,
+                                               LaneBlock* sums) {
+  using Numbers = typename W::Numbers;
+  for (std::size_t k = 0; k < kind.columns; ++k) {
+    for (std::size_t c = 0; c < 6; ++c) at<W>(sums[k].of[c] + first) = Numbers{};
+  }
+  for (std::size_t r = 0; r < kind.rows.size(); ++r) {
+    const CrossKind::Row& row = kind.rows[r];
+    Vectors<W> g;
+    Numbers square;
+    Numbers w;
+    derive<W>(kind, row, reference, first, g);
+    dot<W>(g, g, square);
+    weigh<W>(laws[r], square, w);
+    const Numbers& x = g.of[0];
+    const Numbers& y = g.of[1];
+    const Numbers& z = g.of[2];
+    const Numbers block[6] = {w * (square - x * x), -w * x * y, -w * x * z,
+                              w * (square - y * y), -w * y * z, w * (square - z * z)};
+    for (std::size_t i = row.begin; i < row.end; ++i) {
+      const double factor = kind.weight[i] * kind.weight[i];
+      LaneBlock& to = sums[kind.column[i]];
+      for (std::size_t k = 0; k < 6; ++k) at<W>(to.of[k] + first) += factor * block[k];
     }
   }
 }
 
 }  // namespace
 
-SURPASS_FOR_EACH_MACHINE("avx512f", "avx2", "default")
 void squares_of_patches(const CrossKind& kind, const LaneVectors* reference, LaneNumbers* squares) {
-  if (kind.is_regular) {
-    LaneVectors g[regular_patch::kRows];
-    regular_derivatives(reference, g);
-    for (std::size_t r = 0; r < regular_patch::kRows; ++r) dot(g[r], g[r], squares[r].value);
-    return;
-  }
-  for (std::size_t r = 0; r < kind.rows.size(); ++r) {
-    LaneVectors g;
-    derive(kind, kind.rows[r], reference, g);
-    dot(g, g, squares[r].value);
-  }
+  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes; l += W::kCount) squares_of<W>(kind, reference, l, squares);
+  });
 }
 
-SURPASS_FOR_EACH_MACHINE("avx512f", "avx2", "default")
 void gradient_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
                          const LaneVectors* x, LaneVectors* sums) {
-  if (kind.is_regular) return regular_gradient(laws, reference, x, sums);
-  std::fill_n(sums, kind.columns, LaneVectors{});
-  for (std::size_t r = 0; r < kind.rows.size(); ++r) {
-    const CrossKind::Row& row = kind.rows[r];
-    LaneVectors g;
-    LaneVectors q;
-    derive(kind, row, reference, g);
-    derive(kind, row, x, q);
-    cross_twice(laws[r], g, q);
-    for (std::size_t i = row.begin; i < row.end; ++i) {
-      LaneVectors& to = sums[kind.column[i]];
-      for (std::size_t c = 0; c < 3; ++c) to.of[c] += kind.weight[i] * q.of[c];
+  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes; l += W::kCount) {
+      gradient_of<W>(kind, laws, reference, x, l, sums);
     }
-  }
+  });
 }
 
-SURPASS_FOR_EACH_MACHINE("avx512f", "avx2", "default")
 void diagonal_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
                          LaneBlock* sums) {
-  std::fill_n(sums, kind.columns, LaneBlock{});
-  for (std::size_t r = 0; r < kind.rows.size(); ++r) {
-    const CrossKind::Row& row = kind.rows[r];
-    LaneVectors g;
-    Lanes square;
-    Lanes w;
-    derive(kind, row, reference, g);
-    dot(g, g, square);
-    weigh(laws[r], square, w);
-    const Lanes& x = g.of[0];
-    const Lanes& y = g.of[1];
-    const Lanes& z = g.of[2];
-    const Lanes block[6] = {w * (square - x * x), -w * x * y, -w * x * z,
-                            w * (square - y * y), -w * y * z, w * (square - z * z)};
-    for (std::size_t i = row.begin; i < row.end; ++i) {
-      const double factor = kind.weight[i] * kind.weight[i];
-      LaneBlock& to = sums[kind.column[i]];
-      for (std::size_t k = 0; k < 6; ++k) to.of[k] += factor * block[k];
+  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes; l += W::kCount) {
+      diagonal_of<W>(kind, laws, reference, l, sums);
     }
-  }
+  });
 }
 
 }  // namespace surpass

@@ -50,7 +50,7 @@ void gradient_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVe
 
 /// The upper triangle of a block of 3, row after row.
 struct LaneBlock {
-  Lanes of[6];
+  alignas(kLaneAlignment) double of[6][kLanes];
 };
 
 /// sums, #columns: the diagonal blocks of the same. `laws` are those of the derivatives themselves.

@@ -23,26 +23,25 @@ FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
   const FreePreconditioner preconditioner(system);
-  std::vector<double> z(system.size());
   std::vector<double> direction(system.size());
-  std::vector<double> image(system.size());
-  preconditioner.apply(gradient, z);
-  for (std::size_t i = 0; i < z.size(); ++i) direction[i] = -z[i];
-  double rho = system.dot(gradient, z);
+  std::vector<double> work(system.size());  // the direction's image, or the preconditioned gradient
+  preconditioner.apply(gradient, work);
+  for (std::size_t i = 0; i < work.size(); ++i) direction[i] = -work[i];
+  double rho = system.dot(gradient, work);
   while (rho > 0 && progress.goes_on()) {
-    system.product(direction, image);
-    const double curvature = system.dot(direction, image);
+    system.product(direction, work);
+    const double curvature = system.dot(direction, work);
     if (!(curvature > 0)) break;  // nothing is left but what the energy does not see
     add(system, rho / curvature, direction, change);
-    add(system, rho / curvature, image, gradient);
+    add(system, rho / curvature, work, gradient);
     keep_constraints();
     progress.note(gradient);
     if (progress.reached()) break;
-    preconditioner.apply(gradient, z);
-    const double next = system.dot(gradient, z);
+    preconditioner.apply(gradient, work);
+    const double next = system.dot(gradient, work);
     const double share = next / rho;
-    parallel::for_ranges(system.context, z.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) direction[i] = share * direction[i] - z[i];
+    parallel::for_ranges(system.context, work.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) direction[i] = share * direction[i] - work[i];
     });
     rho = next;
   }

@@ -53,7 +53,7 @@ void gather_points(const Index* local, std::size_t columns, std::size_t lanes, c
     return;
   }
   for (std::size_t c = 0; c < columns; ++c) {
-    auto* to = reinterpret_cast<double*>(points[c].of);
+    double* to = points[c].of[0];
     for (std::size_t l = 0; l < kLanes; l += 4) {
       const Index* at = local + l * columns + c;
       Point4 a = point_at(x + kPointStride * at[0]);
@@ -82,7 +82,7 @@ void scatter_points(const Index* local, std::size_t columns, std::size_t lanes,
       continue;
     }
     for (std::size_t c = 0; c < columns; ++c) {
-      const auto* from = reinterpret_cast<const double*>(points[c].of);
+      const double* from = points[c].of[0];
       Point4 a = point_at(from + l);
       Point4 b = point_at(from + kLanes + l);
       Point4 p = point_at(from + 2 * kLanes + l);

@@ -1,4 +1,4 @@
-// The derivatives of regular bicubic patches at three by three samples, for eight of them at once:
+// The derivatives of regular bicubic patches at three by three samples, for as many as T holds:
 // those inside, and those on sides 0 and 1, which count for the neighbour, too.
 //
 // After one refinement the samples are vertices. With s the sums of fine points weighted 1 4 1

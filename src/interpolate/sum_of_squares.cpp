@@ -1,7 +1,6 @@
 // Energies that see each coordinate alone: one small matrix for every kind of patch.
 #include <Eigen/Core>
 
-#include "interpolate/each_machine.hpp"
 #include "interpolate/patch_energy.hpp"
 
 namespace surpass {
@@ -67,17 +66,32 @@ void apply_matrix(const Matrix& matrix, const Index* local, std::size_t width, c
 
 // The same for kLanes patches and three right-hand sides, the case that matters: n points with a
 // patch in every lane.
-SURPASS_FOR_EACH_MACHINE("avx512f", "avx2", "default")
-void times_abreast(const double* matrix, std::size_t n, const LaneVectors* points,
-                   LaneVectors* sums) {
+template <class W>
+[[gnu::always_inline]] inline void times_lanes(const double* matrix, std::size_t n,
+                                               const LaneVectors* points, std::size_t first,
+                                               LaneVectors* sums) {
+  using Numbers = typename W::Numbers;
   for (std::size_t a = 0; a < n; ++a) {
     const double* row = matrix + a * n;
-    LaneVectors sum = {};
+    Numbers sum[3] = {};
     for (std::size_t b = 0; b < n; ++b) {
-      for (std::size_t c = 0; c < 3; ++c) sum.of[c] += row[b] * points[b].of[c];
+      for (std::size_t c = 0; c < 3; ++c) {
+        sum[c] += row[b] * *reinterpret_cast<const Numbers*>(points[b].of[c] + first);
+      }
     }
-    sums[a] = sum;
+    for (std::size_t c = 0; c < 3; ++c) {
+      *reinterpret_cast<Numbers*>(sums[a].of[c] + first) = sum[c];
+    }
   }
+}
+
+void times_abreast(const double* matrix, std::size_t n, const LaneVectors* points,
+                   LaneVectors* sums) {
+  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes; l += W::kCount) {
+      times_lanes<W>(matrix, n, points, l, sums);
+    }
+  });
 }
 
 void apply_matrix_abreast(const Matrix& matrix, const Index* local, const double* x, double* y,
