@@ -9,7 +9,7 @@ const kRoot = resolve(import.meta.dirname, '../..');
 const folder = resolve(process.argv[2] ?? resolve(kRoot, 'docs/images/studio'));
 mkdirSync(folder, { recursive: true });
 
-const kModels = ['jug.obj', 'trefoil.ply', 'crease_corners.obj', 'patch_irregular.obj', 'mixed_polygons.obj'];
+const kModels = ['jug.obj', 'trefoil.ply', 'crease_boundary.obj', 'mixed_polygons.obj', 'twisted_ring.obj'];
 const single = (id, shading = 'matte', points = true) => ({ mode: 'single', single: id, shading, points });
 const kViews = [
   ['Given mesh', single('given')], ['Control mesh', single('control')],
@@ -87,7 +87,7 @@ async function pages() {
   await page.context().close();
 
   const dark = await studio({ width: 1180, height: 760 }, 'dark');
-  await open(dark, 'crease_corners.obj');
+  await open(dark, 'crease_boundary.obj');
   await dark.evaluate(() => window.surpassStudio.stage.change({ shading: 'mean' }));
   await shot(dark, 'dark-curvature');
   await dark.context().close();
