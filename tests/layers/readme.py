@@ -1,7 +1,8 @@
 """The README keeps its word: readme.py ROOT CTEST BUILD [ABSENT].
 
 The table under "Promises" names, in backquotes in its last column, tests that exist; a name may
-hold * for a group of tests. Names that match ABSENT are of tests that this build leaves out. The C++ program is examples/interpolate.cpp to the letter."""
+hold * for a group of tests. Names that match ABSENT are of tests that this build leaves out. The
+C++ program is examples/interpolate.cpp to the letter."""
 
 import fnmatch
 import re
