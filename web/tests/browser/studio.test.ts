@@ -216,7 +216,7 @@ test('points show as points', async () => {
 
 test('a long solve tells how far it is, and can be cancelled', async () => {
   const { page } = opened;
-  await load('large.obj', torus(200, 120));
+  await load('large.obj', torus(400, 150));
   await page.locator('.file', { hasText: 'large.obj' }).waitFor();
   await verdict(page).filter({ hasText: 'Passes' }).waitFor();
   await choose('Scheme', 'catmull-clark');
