@@ -4,8 +4,8 @@ import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import { coreFile, oneFile, plainScripts, sampleFile } from './build/plugins';
 
-const kSamples = ['jug.obj', 'twisted_ring.obj', 'trefoil.ply', 'mixed_polygons.obj', 'crease_corners.obj',
-  'patch_irregular.obj', 'double_torus.obj', 'cube.obj', 'blob.stl'];
+const kSamples = ['jug.obj', 'twisted_ring.obj', 'trefoil.ply', 'mixed_polygons.obj', 'crease_boundary.obj',
+  'double_torus.obj', 'cube.obj', 'blob.stl'];
 const kBuilt = resolve(import.meta.dirname, '../build');
 
 export default defineConfig(({ mode }) => {

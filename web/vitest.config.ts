@@ -2,5 +2,5 @@
 import { defineConfig } from 'vitest/config';
 
 export default defineConfig({
-  test: { testTimeout: 40000, hookTimeout: 60000, reporters: ['default'] },
+  test: { testTimeout: 150000, hookTimeout: 150000, reporters: ['default'] },
 });

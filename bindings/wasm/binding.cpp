@@ -7,6 +7,7 @@
 #include <surpass/version.hpp>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <emscripten/bind.h>
@@ -118,7 +119,8 @@ class Core {
  public:
   /// `mend` is {repair?, triangulate?}. Tells what the file holds and the given mesh or points.
   val load(const std::string& file, const std::string& name, const val& mend);
-  /// Control mesh, both surfaces, certificate, and how the solver went.
+  /// Control mesh, both surfaces, certificate, and how the solver went. The plain surface and the
+  /// points' errors are left out where they are as the last time.
   val solve(const val& options, const val& progress);
   /// {richardson, chebyshev, boundaryRichardson, ...}: histories, for the plot.
   val rivals(const val& options, const val& progress) const;
@@ -128,12 +130,14 @@ class Core {
  private:
   Result<LoadedMesh> parse(const std::string& file, const std::string& name) const;
   Result<val> show(const Wishes& wishes, const Context& context);
+  Result<void> show_plain(const Rules& rules, int levels, val& shown, const Context& context);
 
   Mesh given_;
   Mesh control_;
   Rules rules_;
   int levels_ = 2;
   Frame frame_;
+  std::optional<std::pair<Rules, int>> plain_shown_;
 };
 
 Result<LoadedMesh> Core::parse(const std::string& file, const std::string& name) const {
@@ -171,6 +175,7 @@ val Core::load(const std::string& file, const std::string& name, const val& mend
   }
   given_ = std::move(loaded->mesh);
   control_ = {};
+  plain_shown_.reset();
   frame_ = frame_of(given_.points);
   val told = val::object();
   told.set("kind", std::string(points_only ? "points" : "mesh"));
@@ -206,17 +211,12 @@ Result<val> Core::show(const Wishes& wishes, const Context& context) {
 
   const bool refined = found->control.annotation("refined") == "1";
   const int levels = std::max(0, wishes.levels - (refined ? 1 : 0));
-  Mesh plain = bare(given_);
-  auto errors = distances(plain, given_.points, rules, frame_.side, context);
-  if (!errors) return tl::make_unexpected(errors.error());
   val shown = val::object();
-  shown.set("pointErrors", floats(*errors));
-  set_channel(plain, "error", std::move(*errors));
-  const auto plain_surface = surface(plain, rules, wishes.levels, frame_, context);
-  if (!plain_surface) return tl::make_unexpected(plain_surface.error());
+  if (const auto added = show_plain(rules, wishes.levels, shown, context); !added) {
+    return tl::make_unexpected(added.error());
+  }
   const auto fitted = surface(bare(found->control), rules, levels, frame_, context);
   if (!fitted) return tl::make_unexpected(fitted.error());
-  shown.set("plain", *plain_surface);
   shown.set("surface", *fitted);
   shown.set("control", display(bare(found->control), frame_));
   shown.set("certificate", wasm::to_js(*certificate));
@@ -229,7 +229,22 @@ Result<val> Core::show(const Wishes& wishes, const Context& context) {
   control_ = std::move(found->control);
   rules_ = rules;
   levels_ = levels;
+  plain_shown_ = {rules, wishes.levels};
   return shown;
+}
+
+// The page keeps what it was given; sliders hardly ever change it.
+Result<void> Core::show_plain(const Rules& rules, int levels, val& shown, const Context& context) {
+  if (plain_shown_ == std::pair(rules, levels)) return {};
+  Mesh plain = bare(given_);
+  auto errors = distances(plain, given_.points, rules, frame_.side, context);
+  if (!errors) return tl::make_unexpected(errors.error());
+  shown.set("pointErrors", floats(*errors));
+  set_channel(plain, "error", std::move(*errors));
+  const auto made = surface(plain, rules, levels, frame_, context);
+  if (!made) return tl::make_unexpected(made.error());
+  shown.set("plain", *made);
+  return {};
 }
 
 val Core::rivals(const val& options, const val& progress) const {

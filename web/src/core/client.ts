@@ -1,6 +1,6 @@
 // The page's side of the core: calls become messages to the worker, and cancelling ends the worker.
 import type {
-  CoreMethods, Exportable, Failure, Loaded, Mend, Method, Progress, Reply, Request, Rivals, Solved,
+  CoreMethods, Answer, Exportable, Failure, Loaded, Mend, Method, Progress, Reply, Request, Rivals, Solved,
   SolveOptions, Start, Written,
 } from './protocol';
 
@@ -43,6 +43,7 @@ export class CoreClient {
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
   private file: { bytes: Uint8Array<ArrayBuffer>; name: string; mend: Mend } | undefined;
+  private plain: Pick<Solved, 'plain' | 'pointErrors'> | undefined;
   private lastSolved: SolveOptions | undefined;
   /** The worker of now has read the file, and has found the last control mesh. */
   private hasFile = false;
@@ -65,10 +66,12 @@ export class CoreClient {
 
   async solve(options: SolveOptions, progress?: (p: Progress) => void): Promise<Solved> {
     await this.restoreFile();
-    const solved = await this.call('solve', [options], progress);
+    const answer: Answer = await this.call('solve', [options], progress);
+    const { plain = this.plain!.plain, pointErrors = this.plain!.pointErrors } = answer;
+    this.plain = { plain, pointErrors };
     this.lastSolved = options;
     this.hasSolution = true;
-    return solved;
+    return { ...answer, plain, pointErrors };
   }
 
   async rivals(options: SolveOptions, progress?: (p: Progress) => void): Promise<Rivals> {

@@ -81,6 +81,9 @@ export interface SolveReport {
   notes: string[];
 }
 
+/** What the core answers: of the plain surface nothing, if it is as the last time. */
+export type Answer = Omit<Solved, 'plain' | 'pointErrors'> & Partial<Pick<Solved, 'plain' | 'pointErrors'>>;
+
 export interface Solved {
   control: Shape;
   plain: Shape;
@@ -115,7 +118,7 @@ export interface Progress {
 /** The methods of the worker, as they are called through it. */
 export interface CoreMethods {
   load(file: Uint8Array<ArrayBuffer>, name: string, mend: Mend): Loaded;
-  solve(options: SolveOptions): Solved;
+  solve(options: SolveOptions): Answer;
   rivals(options: SolveOptions): Rivals;
   written(what: Exportable, format: string): Written;
 }

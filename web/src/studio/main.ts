@@ -24,8 +24,8 @@ declare global {
 
 const kSampleNames: Record<string, string> = {
   'jug.obj': 'Jug', 'twisted_ring.obj': 'Twisted ring', 'trefoil.ply': 'Trefoil knot',
-  'mixed_polygons.obj': 'Mixed polygons', 'crease_corners.obj': 'Creases and corners',
-  'patch_irregular.obj': 'Open patch', 'double_torus.obj': 'Double torus', 'cube.obj': 'Cube', 'blob.stl': 'Blob',
+  'mixed_polygons.obj': 'Mixed polygons', 'crease_boundary.obj': 'Creases and boundary',
+  'double_torus.obj': 'Double torus', 'cube.obj': 'Cube', 'blob.stl': 'Blob',
 };
 const kFirstSample = 'jug.obj';
 /** A solve that is over sooner shows no progress. */
@@ -131,7 +131,8 @@ class Studio implements Page {
   }
 
   solved(session: Session): void {
-    this.message.hidden = true;
+    // What is said of a file that was refused stays, though the one before it is shown again.
+    if (session.refused === undefined) this.message.hidden = true;
     this.exportButton.disabled = false;
     this.stage.show(session.content());
     this.drawSettings();
@@ -145,7 +146,10 @@ class Studio implements Page {
 
   failed(failure: Failure, session: Session): void {
     const close = element('button', { type: 'button', class: 'small' }, 'Close');
-    close.addEventListener('click', () => { this.message.hidden = true; });
+    close.addEventListener('click', () => {
+      session.refused = undefined;
+      this.message.hidden = true;
+    });
     this.message.replaceChildren(element('p', {}, failure.message),
       element('div', { class: 'actions' }, ...this.remedies(failure, session), close));
     this.message.hidden = false;

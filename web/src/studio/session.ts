@@ -53,6 +53,7 @@ export class Session {
     try {
       const loaded = await this.core.load(bytes, name, mend);
       if (turn !== this.turn) return;
+      this.refused = undefined;
       Object.assign(this, { loaded, name, mend, bytes, solved: undefined, rivals: undefined, failure: undefined, iterations: 0 });
       this.known.clear();
       this.settings = settingsFor(loaded);
@@ -71,6 +72,7 @@ export class Session {
 
   async change(part: Partial<Settings>): Promise<void> {
     if (!this.settings) return;
+    this.refused = undefined;
     this.settings = { ...this.settings, ...part };
     if (this.running && !this.live) {
       this.core.cancel();

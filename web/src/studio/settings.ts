@@ -25,7 +25,7 @@ export interface Situation {
 
 /** Vertices up to which the surface follows the sliders while they move. */
 export const kLiveVertices = 20000;
-const kShownVertices = 60000;
+const kShownVertices = 30000;
 const kMostShown = 1200000;
 const kMostIterations = 10000;
 

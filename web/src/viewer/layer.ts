@@ -48,6 +48,8 @@ export class Layer {
   private readonly edges: Group | undefined;
   private readonly marks = new Group();
   private readonly dots: Points | undefined;
+  /** The shading whose numbers are with the card. */
+  private loaded: Shading | undefined;
   private readonly garbage: { dispose(): void }[] = [];
 
   constructor(readonly source: LayerSource, private readonly palette: Palette) {
@@ -153,8 +155,11 @@ export class Layer {
       shade(material, 0, 'sequential', { x: 0, y: 1 });
       return;
     }
-    this.faces.geometry.setAttribute('value',
-      new BufferAttribute(values ?? new Float32Array(size).fill(flat!), 1));
+    if (this.loaded !== shading) {
+      this.faces.geometry.setAttribute('value',
+        new BufferAttribute(values ?? new Float32Array(size).fill(flat!), 1));
+      this.loaded = shading;
+    }
     if (shading === 'error') shade(material, 2, 'sequential', { x: 0, y: scales.error });
     else shade(material, 2, 'diverging', { x: -scales[shading], y: scales[shading] });
   }

@@ -37,9 +37,12 @@ float lambert(vec3 n, vec3 l) { return max(dot(n, normalize(l)), 0.0); }
 // A mirror under a sky of sixteen parallel lamps: where the bands break, the surface has a kink.
 vec3 lamps(vec3 n) {
   vec3 r = reflect(normalize(vPosition), n);
-  float angle = atan(dot(r, worldSide), dot(r, worldUp)) * (8.0 / 3.14159265);
+  vec2 across = vec2(dot(r, worldSide), dot(r, worldUp));
+  float angle = atan(across.x, across.y) * (8.0 / 3.14159265);
   float wave = abs(fract(angle) - 0.5) * 2.0;
-  float width = clamp(fwidth(angle) * 1.5, 0.02, 1.0);
+  // From the vector and not from the angle, which jumps where it has gone round.
+  float turn = length(fwidth(across)) / max(length(across), 1e-4) * (8.0 / 3.14159265);
+  float width = clamp(turn * 1.2, 0.02, 1.0);
   float lit = smoothstep(0.5 - width, 0.5 + width, wave);
   float rim = pow(1.0 - abs(n.z), 3.0);
   return mix(vec3(0.075, 0.085, 0.11), vec3(0.93, 0.945, 0.96), lit) * (0.86 + 0.14 * n.y) + 0.06 * rim;
@@ -94,8 +97,8 @@ export function surfaceMaterial(look: SurfaceLook): ShaderMaterial {
     side: DoubleSide,
     // Lines and points lie on the surface, and shall be seen.
     polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 2,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 8,
     uniforms: {
       front: { value: plain(look.front) },
       back: { value: plain(look.back) },

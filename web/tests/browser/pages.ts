@@ -25,7 +25,8 @@ export async function open(browser: Browser, url: string, options: Parameters<Br
   const complaints: string[] = [];
   await context.setOffline(true);
   const page = await context.newPage();
-  page.setDefaultTimeout(20000);
+  // Long enough for a machine that does other things as well.
+  page.setDefaultTimeout(60000);
   page.on('console', (message) => {
     if (message.type() === 'error' || message.type() === 'warning') {
       // Reading pixels back, as the tests do, is slow, and the browser says so.
@@ -75,7 +76,7 @@ export async function changedFrom(page: Page, before: readonly number[], least =
   await expect.poll(async () => {
     after = await picture(page);
     return difference(before, after);
-  }, { timeout: 15000, interval: 60 }).toBeGreaterThan(least);
+  }, { timeout: 45000, interval: 60 }).toBeGreaterThan(least);
   return after;
 }
 

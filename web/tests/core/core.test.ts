@@ -4,12 +4,12 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { beforeAll, describe, expect, test } from 'vitest';
-import type { Failure, Loaded, Solved, SolveOptions, Written } from '../../src/core/protocol';
+import type { Answer, Failure, Loaded, SolveOptions, Written } from '../../src/core/protocol';
 import { kRoot, positionsOf, sample, surpass } from '../support';
 
 interface Core {
   load(file: Uint8Array, name: string, mend: object): Loaded & { error?: Failure };
-  solve(options: SolveOptions, progress: unknown): Solved & { error?: Failure };
+  solve(options: SolveOptions, progress: unknown): Answer & { error?: Failure };
   written(what: string, format: string): Written & { error?: Failure };
 }
 

@@ -99,7 +99,7 @@ describe('settings', () => {
     scheme: 'loop', boxSide: 1, given: kPatch };
   test('what is shown stays within what a page can hold', () => {
     expect(suggestedLevels(8)).toBe(4);
-    expect(suggestedLevels(900)).toBe(3);
+    expect(suggestedLevels(900)).toBe(2);
     expect(suggestedLevels(250000)).toBe(0);
     expect(mostLevels(250000)).toBe(1);
   });
