@@ -48,7 +48,8 @@ surfaces*, The Visual Computer 22, 2006. The teapot is the paper's: one mesh of 
 its own, on a PC of 3.2 GHz of its day, so the times are no comparison of methods. `directions` is the paper's form
 with its weights (`--row-weights none`), `vectors` the default here, `fair` thin-plate fairing; all with boundary rule
 edge-and-corner, and the glass with the paper's ring of dummy faces as well; to the paper's 1e-2. Seconds are
-for set-up and solution, the least of twenty runs on one thread; errors are relative to the box side.
+for set-up and solution, the least of twenty runs on one thread (too high where other work shares the machine); errors are
+relative to the box side.
 
 | mesh | vertices | faces | form | iterations | error | seconds | the paper |
 |---|--:|--:|---|--:|--:|--:|---|
