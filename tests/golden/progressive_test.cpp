@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "golden/json_points.hpp"
 #include "support/meshes.hpp"
 
 namespace surpass {
@@ -17,12 +18,6 @@ struct Case {
   std::vector<Point> limit;
   std::vector<Point> control;
 };
-
-std::vector<Point> points_of(const nlohmann::json& rows) {
-  std::vector<Point> points;
-  for (const auto& row : rows) points.push_back({row[0], row[1], row[2]});
-  return points;
-}
 
 Rules rules_of(const std::string& scheme, const std::string& boundary) {
   Rules rules;

@@ -5,16 +5,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "golden/json_points.hpp"
 #include "support/meshes.hpp"
 
 namespace surpass {
 namespace {
-
-std::vector<Point> points_of(const nlohmann::json& rows) {
-  std::vector<Point> points;
-  for (const auto& row : rows) points.push_back({row[0], row[1], row[2]});
-  return points;
-}
 
 nlohmann::json parsed(const std::string& name) {
   std::ifstream file(SURPASS_GOLDEN_DIR "/" + name);

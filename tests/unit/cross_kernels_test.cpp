@@ -33,30 +33,30 @@ Mesh quad_torus(Index nu, Index nv) {
   return mesh;
 }
 
-using Vector = std::array<double, 3>;
+using Vector3 = std::array<double, 3>;
 
-Vector derivative(const PatchKind& kind, std::size_t row, const std::vector<Vector>& points) {
-  Vector sum = {};
+Vector3 derivative(const PatchKind& kind, std::size_t row, const std::vector<Vector3>& points) {
+  Vector3 sum = {};
   for (std::size_t c = 0; c < kind.columns; ++c) {
     for (std::size_t k = 0; k < 3; ++k) sum[k] += kind.row(row)[c] * points[c][k];
   }
   return sum;
 }
 
-Vector cross(const Vector& a, const Vector& b) {
+Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // The law of all rows here: count / (|g|^2 + 0.3).
-std::vector<Vector> plain_gradient(const PatchKind& kind, const std::vector<Vector>& reference,
-                                   const std::vector<Vector>& x) {
-  std::vector<Vector> sums(kind.columns, Vector{});
+std::vector<Vector3> plain_gradient(const PatchKind& kind, const std::vector<Vector3>& reference,
+                                    const std::vector<Vector3>& x) {
+  std::vector<Vector3> sums(kind.columns, Vector3{});
   for (std::size_t r = 0; r < kind.row_count(); ++r) {
     if (kind.derivative[r] == Derivative::mixed) continue;
-    const Vector g = derivative(kind, r, reference);
-    const Vector turned = cross(cross(g, derivative(kind, r, x)), g);  // g x q x g
+    const Vector3 g = derivative(kind, r, reference);
+    const Vector3 turned = cross(cross(g, derivative(kind, r, x)), g);  // g x q x g
     const double weight = kind.count[r] / (dot(g, g) + 0.3);
     for (std::size_t c = 0; c < kind.columns; ++c) {
       for (std::size_t k = 0; k < 3; ++k) sums[c][k] += weight * kind.row(r)[c] * turned[k];
@@ -72,13 +72,13 @@ void expect_plain_sums(const PatchKind& kind) {
   for (std::size_t r = 0; r < laws.size(); ++r) counted[r].numerator = cross_kind.rows[r].count;
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<std::vector<Vector>> reference(kLanes, std::vector<Vector>(kind.columns));
-  std::vector<std::vector<Vector>> x = reference;
+  std::vector<std::vector<Vector3>> reference(kLanes, std::vector<Vector3>(kind.columns));
+  std::vector<std::vector<Vector3>> x = reference;
   std::vector<LaneVectors> reference_lanes(kind.columns);
   std::vector<LaneVectors> x_lanes(kind.columns);
   for (std::size_t l = 0; l < kLanes; ++l) {
     for (std::size_t c = 0; c < kind.columns; ++c) {
-      for (Vector* v : {&reference[l][c], &x[l][c]}) *v = {uniform(random), uniform(random), 0.5};
+      for (Vector3* v : {&reference[l][c], &x[l][c]}) *v = {uniform(random), uniform(random), 0.5};
       reference_lanes[c].set(l, reference[l][c].data());
       x_lanes[c].set(l, x[l][c].data());
     }
@@ -96,9 +96,9 @@ void expect_plain_sums(const PatchKind& kind) {
       for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(sums[c].of[k][l], expected[c][k], 1e-11);
       // The block is the gradient at unit vectors of this point, of its own numbers.
       for (std::size_t k = 0; k < 3; ++k) {
-        std::vector<Vector> unit(kind.columns, Vector{});
+        std::vector<Vector3> unit(kind.columns, Vector3{});
         unit[c][k] = 1;
-        const Vector column = plain_gradient(kind, reference[l], unit)[c];
+        const Vector3 column = plain_gradient(kind, reference[l], unit)[c];
         constexpr std::size_t kUpper[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
         for (std::size_t i = 0; i < 3; ++i) {
           ASSERT_NEAR(blocks[c].of[kUpper[i][k]][l], column[i], 1e-11);
@@ -112,7 +112,7 @@ void expect_plain_sums(const PatchKind& kind) {
       sum += row.count * row.scale * row.scale * squares[r].value[l];
     }
     for (std::size_t r = 0; r < kind.row_count(); ++r) {
-      const Vector g = derivative(kind, r, reference[l]);
+      const Vector3 g = derivative(kind, r, reference[l]);
       if (kind.derivative[r] != Derivative::mixed) plain += kind.count[r] * dot(g, g);
     }
     ASSERT_NEAR(sum, plain, 1e-11 * plain);

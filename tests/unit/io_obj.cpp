@@ -7,30 +7,30 @@
 namespace surpass {
 namespace {
 
-Mesh read(std::string_view text) { return parsed(text, Format::obj).mesh; }
+Mesh read_obj(std::string_view text) { return parsed(text, Format::obj).mesh; }
 
 using Indices = std::vector<Index>;
 
 TEST(Obj, ReadsPositionsOfEveryNumberForm) {
-  const Mesh mesh = read("v 1 2. .5\nv +1e2 -3E-1 0\nv\t-0\t1e-310 0.1\nf 1 2 3\n");
+  const Mesh mesh = read_obj("v 1 2. .5\nv +1e2 -3E-1 0\nv\t-0\t1e-310 0.1\nf 1 2 3\n");
   const std::vector<Point> expected = {{1, 2, 0.5}, {100, -0.3, 0}, {-0.0, 1e-310, 0.1}};
   EXPECT_EQ(mesh.points, expected);
   EXPECT_TRUE(std::signbit(mesh.points[2][0]));
 }
 
 TEST(Obj, LineEndsCommentsAndContinuationsDoNotMatter) {
-  const Mesh plain = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Mesh plain = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   for (const char* text :
        {"v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3",
         "# c\nv 0 0 0 # here\n\n  v\t1 0 0 \nv 0 1 0\nf 1 2 3 # end",
         "v 0 \\\n0 0\nv 1 0 0\nv 0 1 \\\r\n0\nf 1 \\\n 2 \\\n3",
         "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}) {
-    EXPECT_EQ(read(text), plain) << text;
+    EXPECT_EQ(read_obj(text), plain) << text;
   }
 }
 
 TEST(Obj, NegativeNumbersCountBackwardsAndForwardReferencesAreLegal) {
-  const Mesh mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 4 1 2\nv 0 0 1\n");
+  const Mesh mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 4 1 2\nv 0 0 1\n");
   EXPECT_EQ(mesh.face_vertices, (Indices{0, 1, 2, 3, 0, 1}));
 }
 
@@ -40,15 +40,15 @@ TEST(Obj, NumbersOfVerticesHaveAnyCountOfDigits) {
   for (Index v = 0; v < kCount; ++v) text += "v 0 0 0\n";
   const Indices expected = {0, 11, 122, 1233, 12344, 123455, 1234566, 6, 77, 8, 0, 9};
   text += "f 1 12 123 1234 12345 123456 1234567\nf 007/ 00000078// 000000000000000009 ";
-  EXPECT_EQ(read(text + "1 10").face_vertices, expected);
-  EXPECT_EQ(read(text + "1 10\t# end of the file\n").face_vertices, expected);
+  EXPECT_EQ(read_obj(text + "1 10").face_vertices, expected);
+  EXPECT_EQ(read_obj(text + "1 10\t# end of the file\n").face_vertices, expected);
   for (const char* wrong : {"1x", "1\xB9", "12345678901", "18446744073709551617", "\x01"}) {
     EXPECT_FALSE(parse_mesh(text + wrong, Format::obj, "test")) << wrong;
   }
 }
 
 TEST(Obj, CornersKeepTextureAndNormalNumbers) {
-  const Mesh mesh = read(
+  const Mesh mesh = read_obj(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0.5\nvt 1 0\nvn 0 0 1\n"
       "f 1 2 3\nf 1/1/1 2/2/1 3/-1/-1\nf 2//1 4//1 3//1\nf 1/2 2/1 4/\n");
   ASSERT_EQ(mesh.corner_channels.size(), 2U);
@@ -63,7 +63,7 @@ TEST(Obj, CornersKeepTextureAndNormalNumbers) {
 
 TEST(Obj, TextureRowsWidenToTheWidest) {
   const Mesh mesh =
-      read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1\nvt 2 3\nvt 4 5 6\nvt 7\nf 1/1 2/2 3/3\n");
+      read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1\nvt 2 3\nvt 4 5 6\nvt 7\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(mesh.corner_channels.at(0).width, 3U);
   EXPECT_EQ(mesh.corner_channels.at(0).values,
             (std::vector<double>{1, 0, 0, 2, 3, 0, 4, 5, 6, 7, 0, 0}));
@@ -84,13 +84,13 @@ TEST(Obj, PolygonsOfAnySize) {
     text += fmt::format("v {} 0 0\n", k);
     face += fmt::format(" {}", k);
   }
-  const Mesh mesh = read(text + face + "\nf 1 2\nf 7\n");
+  const Mesh mesh = read_obj(text + face + "\nf 1 2\nf 7\n");
   EXPECT_EQ(mesh.face_offsets, (Indices{0, 1000, 1002, 1003}));
   EXPECT_EQ(mesh.face_vertices[999], 999U);
 }
 
 TEST(Obj, ColoursNeedEveryVertex) {
-  const Mesh mesh = read("v 0 0 0 0.5 0.25 1\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0\nf 1 2 3\n");
+  const Mesh mesh = read_obj("v 0 0 0 0.5 0.25 1\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0\nf 1 2 3\n");
   const Channel expected = {"color", {"red", "green", "blue"}, {0.5, 0.25, 1, 0, 1, 0, 0, 0, 0}};
   EXPECT_EQ(mesh.channels, std::vector{expected});
   const LoadedMesh partly = parsed("v 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0 2\nf 1 2 3\n", Format::obj);
@@ -101,7 +101,7 @@ TEST(Obj, ColoursNeedEveryVertex) {
 }
 
 TEST(Obj, GroupsObjectsMaterialsAndSmoothing) {
-  const Mesh mesh = read(
+  const Mesh mesh = read_obj(
       "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\no some thing\ng a b\nusemtl red\ns 1\nf 1 2 3\n"
       "g b\ns off\nf 1 2 3\ng\nusemtl blue # c\nf 1 2 3\ng a\nf 1 2 3\n");
   using Kind = FaceSet::Kind;
@@ -156,7 +156,7 @@ TEST(Obj, AnnotationsAreACommentInAllTextFormats) {
     EXPECT_EQ(written_and_read(mesh, {.format = format}), mesh) << name_of(format);
   }
   EXPECT_EQ(written_and_read(mesh, {.format = Format::stl, .encoding = Encoding::ascii}), mesh);
-  EXPECT_TRUE(read("# surpass is a program\nv 0 0 0\n").annotations.empty());
+  EXPECT_TRUE(read_obj("# surpass is a program\nv 0 0 0\n").annotations.empty());
 }
 
 TEST(Obj, VertexNormalsAndTextureAreWrittenAsRowsPerVertex) {

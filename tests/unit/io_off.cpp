@@ -3,7 +3,7 @@
 namespace surpass {
 namespace {
 
-Mesh read(std::string_view text) { return parsed(text, Format::off).mesh; }
+Mesh read_off(std::string_view text) { return parsed(text, Format::off).mesh; }
 
 TEST(Off, HeaderVariantsGiveTheSameMesh) {
   const Mesh plain = unit_triangle();
@@ -13,17 +13,17 @@ TEST(Off, HeaderVariantsGiveTheSameMesh) {
         "3 1 0\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r",
         "# a\n\nOFF # b\n# c\n3 1\n\n0 0 0#d\n1 0 0\n\n0 1 0\n# e\n3 0 1 2 # f",
         "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2", "OFF\n3 1 0\n0 0\n0 1 0 0 0\n1 0\n3 0\n1 2\n"}) {
-    EXPECT_EQ(read(text), plain) << text;
+    EXPECT_EQ(read_off(text), plain) << text;
   }
 }
 
 TEST(Off, PolygonsOnOneLineNeedNoLineEnds) {
-  const Mesh mesh = read("OFF 4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3");
+  const Mesh mesh = read_off("OFF 4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3");
   EXPECT_EQ(mesh.face_vertices, (std::vector<Index>{0, 1, 2, 0, 2, 3}));
 }
 
 TEST(Off, ColoursNormalsAndTextureOfVertices) {
-  const Mesh mesh = read(
+  const Mesh mesh = read_off(
       "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 128 0 0.5\n1 0 0 0 0 1 0 255 0 128 1 0\n"
       "0 1 0 0 0 1 0 0 255 128 0 1\n3 0 1 2\n");
   const std::vector<Channel> expected = {
@@ -39,11 +39,11 @@ TEST(Off, ColoursNormalsAndTextureOfVertices) {
 
 TEST(Off, FaceColoursAsFractionsOrBytes) {
   const Mesh fractions =
-      read("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1.0 0 0.5\n3 2 1 0 0 0 1\n");
+      read_off("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1.0 0 0.5\n3 2 1 0 0 0 1\n");
   EXPECT_EQ(fractions.face_channels,
             (std::vector<FaceChannel>{{"color", {"red", "green", "blue"}, {1, 0, 0.5, 0, 0, 1}}}));
   EXPECT_EQ(written_and_read(fractions, {.format = Format::off}), fractions);
-  const Mesh bytes = read("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 0 255 7\n");
+  const Mesh bytes = read_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 0 255 7\n");
   EXPECT_EQ(bytes.face_channels,
             (std::vector<FaceChannel>{
                 {"color", {"red", "green", "blue", "alpha"}, {1, 0, 255, 7}, Storage::uint8}}));

@@ -10,8 +10,7 @@ namespace {
 
 using test::largest_error;
 using test::made;
-
-double side(const Mesh& mesh) { return bounding_box(mesh.points).side(); }
+using test::side;
 
 /// Fans are of size 1 around the origin; the others have many ulps.
 double close(const Mesh& mesh) { return (mesh.vertex_count() <= 10 ? 4e-16 : 1e-14) * side(mesh); }

@@ -9,6 +9,10 @@
 
 namespace surpass::test {
 
+inline double side(const Mesh& mesh) { return bounding_box(mesh.points).side(); }
+
+inline Mesh irregular_sphere(std::uint64_t seed) { return random_mesh({.seed = seed, .size = 6}); }
+
 inline Mesh reference_tetrahedron() {
   return make_mesh({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
                    {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});

@@ -9,10 +9,10 @@
 namespace surpass {
 namespace {
 
+using test::irregular_sphere;
 using test::largest_error;
 using test::made;
-
-Mesh irregular_sphere(std::uint64_t seed) { return test::random_mesh({.seed = seed, .size = 6}); }
+using test::side;
 
 TEST(NonstationarySchemes, UniformAtOneIsLoop) {
   const Mesh mesh = irregular_sphere(8);

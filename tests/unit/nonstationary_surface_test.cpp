@@ -8,17 +8,15 @@
 namespace surpass {
 namespace {
 
+using test::irregular_sphere;
 using test::largest_error;
 using test::made;
+using test::side;
 
 std::vector<Mesh> reference_meshes() {
   return {test::reference_tetrahedron(), test::reference_bipyramid(3),
           test::reference_bipyramid(10), test::icosahedron()};
 }
-
-Mesh irregular_sphere(std::uint64_t seed) { return test::random_mesh({.seed = seed, .size = 6}); }
-
-double side(const Mesh& mesh) { return bounding_box(mesh.points).side(); }
 
 class AfterSteps : public testing::TestWithParam<int> {};
 

@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d vec(const Point& p) { return {p[0], p[1], p[2]}; }
-
 double distance_to_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
   return (p - a - t * (b - a)).norm();

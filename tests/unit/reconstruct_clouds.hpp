@@ -7,11 +7,14 @@
 #include <random>
 #include <vector>
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 namespace surpass::test {
 
 using Cloud = std::vector<Point>;
+
+inline Eigen::Vector3d vec(const Point& p) { return {p[0], p[1], p[2]}; }
 
 /// Nearly evenly spread over the unit sphere.
 Cloud sphere_cloud(std::size_t n);

@@ -15,8 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d vec(const Point& p) { return {p[0], p[1], p[2]}; }
-
 double smallest_angle(const Mesh& mesh) {
   double smallest = 180;
   for (Index f = 0; f < mesh.face_count(); ++f) {
