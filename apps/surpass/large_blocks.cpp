@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
 #ifdef __GLIBC__
-[[maybe_unused]] const bool kept = [] {
+[[maybe_unused]] const bool kKept = [] {
   ::mallopt(M_MMAP_MAX, 0);  // such a block would go back to the kernel when it is freed
   ::mallopt(M_TRIM_THRESHOLD, -1);
   return true;

@@ -33,7 +33,7 @@ class Render : public Command {
   void define_picture(Options& options);
   Result<void> check() const;
   Result<PictureContent> load(Session& session) const;
-  Result<DrawnSurface> load_surface(const std::string& path, bool limit_wanted,
+  Result<DrawnSurface> load_surface(const std::string& path, bool rules_wanted,
                                     Session& session) const;
   Result<std::vector<Point>> marks(const PictureContent& scene, Session& session) const;
 

@@ -29,7 +29,7 @@ struct PictureContent {
 /// The bytes of a PNG file: what is to the left, then every surface in every style, in rows. The
 /// report gets its size and what is where. Fails where options are no numbers, and in builds
 /// without a renderer.
-[[nodiscard]] Result<std::string> draw_picture(const PictureContent& content,
+[[nodiscard]] Result<std::string> draw_picture(const PictureContent& scene,
                                                const PictureWishes& wishes, Session& session);
 
 }  // namespace surpass::cli

@@ -221,7 +221,7 @@ template <class W>
                                                std::size_t first, LaneVectors* sums) {
   if (kind.is_regular) return regular_gradient<W>(laws, reference, x, first, sums);
   for (std::size_t k = 0; k < kind.columns; ++k) {
-    for (std::size_t c = 0; c < 3; ++c) at<W>(sums[k].of[c] + first) = typename W::Numbers{};
+    for (auto& numbers : sums[k].of) at<W>(numbers + first) = typename W::Numbers{};
   }
   for (std::size_t r = 0; r < kind.rows.size(); ++r) {
     const CrossKind::Row& row = kind.rows[r];
@@ -243,7 +243,7 @@ template <class W>
                                                LaneBlock* sums) {
   using Numbers = typename W::Numbers;
   for (std::size_t k = 0; k < kind.columns; ++k) {
-    for (std::size_t c = 0; c < 6; ++c) at<W>(sums[k].of[c] + first) = Numbers{};
+    for (auto& numbers : sums[k].of) at<W>(numbers + first) = Numbers{};
   }
   for (std::size_t r = 0; r < kind.rows.size(); ++r) {
     const CrossKind::Row& row = kind.rows[r];

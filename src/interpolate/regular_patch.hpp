@@ -75,7 +75,8 @@ template <class T>
 template <int kOrigin, int kAlong, int kAcross>
 struct View {
   static constexpr std::size_t at(int i, int j) {
-    return static_cast<std::size_t>(kOrigin + kAlong * i + kAcross * j);
+    const int place = kOrigin + kAlong * i + kAcross * j;
+    return static_cast<std::size_t>(place);
   }
 };
 using AlongSide0 = View<0, 1, 5>;

@@ -53,16 +53,18 @@ class Builder {
   Builder(const FinePiece& piece, const FinePiece& fine, Boundary boundary, int level,
           std::span<const unsigned char> sides)
       : piece_(piece), fine_(fine), boundary_(boundary), side_(1 << level), sides_(sides) {
-    samples_.resize(static_cast<std::size_t>((side_ + 1) * (side_ + 1)));
+    samples_.resize(number_of(side_, side_) + 1);
     place({{{0, 0}, {side_, 0}, {0, side_}}}, 0, level);
   }
   PatchKind build();
 
  private:
   void place(std::array<Corner2, 3> corners, Index face, int level);
-  [[nodiscard]] Sample& at(int i, int j) {
-    return samples_[static_cast<std::size_t>(j * (side_ + 1) + i)];
+  [[nodiscard]] std::size_t number_of(int i, int j) const {
+    const int number = j * (side_ + 1) + i;
+    return static_cast<std::size_t>(number);
   }
+  [[nodiscard]] Sample& at(int i, int j) { return samples_[number_of(i, j)]; }
   [[nodiscard]] bool has(int i, int j) const { return i >= 0 && j >= 0 && i + j <= side_; }
   [[nodiscard]] std::size_t direction_of(int i, int j, Index halfedge) const;
   void derive(int i, int j, Sample& sample);
@@ -114,8 +116,7 @@ std::size_t Builder::direction_of(int i, int j, Index halfedge) const {
   const Index head = fine_.topology.head(halfedge);
   std::size_t d = 0;
   while (!has(i + kSteps[d][0], j + kSteps[d][1]) ||
-         samples_[static_cast<std::size_t>((j + kSteps[d][1]) * (side_ + 1) + i + kSteps[d][0])]
-                 .vertex != head) {
+         samples_[number_of(i + kSteps[d][0], j + kSteps[d][1])].vertex != head) {
     ++d;
   }
   return d;
