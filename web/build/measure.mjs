@@ -62,7 +62,7 @@ async function inPage(page, file, name) {
       ['split', { mode: 'split', shading: 'mean' }]]) {
       stage.change({ mode: 'single', ...view, points: true });
       stage.viewer.draw();
-      frames[label] = stage.viewer.timeFrames(8);
+      frames[label] = stage.viewer.timeFrames(4);
     }
     stage.change({ mode: 'single', shading: 'matte' });
     return { solve: Math.min(...solves), whole: Math.min(...whole), frames, shown: session.solved.surface.positions.length / 3 };
