@@ -11,7 +11,7 @@ class Convert : public Command {
  public:
   void define(Options& options) override {
     input_.define(options, "IN", "The mesh to read");
-    output_.define(options, "OUT", "The file to write");
+    output_.define(options, "-o,--output,OUT", "The file to write, named with or without -o");
     options.examples(
         "What the output's format cannot hold is said on stderr.\n\n"
         "Examples:\n"

@@ -433,7 +433,7 @@ TEST(Convert, ThroughEveryFormatAndBack) {
   const std::string first = data("sphere_irregular.obj");
   ASSERT_EQ(surpass({"convert", first, folder / "a.ply"}).status, 0);
   ASSERT_EQ(surpass({"convert", folder / "a.ply", folder / "b.off"}).status, 0);
-  ASSERT_EQ(surpass({"convert", folder / "b.off", folder / "c.ply", "--ascii"}).status, 0);
+  ASSERT_EQ(surpass({"convert", folder / "b.off", "-o", folder / "c.ply", "--ascii"}).status, 0);
   ASSERT_EQ(surpass({"convert", folder / "c.ply", folder / "d.obj"}).status, 0);
   const Mesh original = mesh_of(first);
   const Mesh last = mesh_of(folder / "d.obj");

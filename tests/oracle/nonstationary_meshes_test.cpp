@@ -131,9 +131,9 @@ NonstationaryTally check_nonstationary(const std::vector<std::string>& paths) {
       ++tally.refused;
       continue;
     }
-    for (const Boundary boundary : {Boundary::edge_only, Boundary::edge_and_corner}) {
-      check_surface(loaded->mesh, boundary, tally);
-    }
+    const bool open = Topology::build(loaded->mesh)->boundary_edge_count() > 0;
+    check_surface(loaded->mesh, Boundary::edge_only, tally);
+    if (open) check_surface(loaded->mesh, Boundary::edge_and_corner, tally);
     ++tally.interpolated;
   }
   return tally;
