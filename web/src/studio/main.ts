@@ -30,6 +30,8 @@ const kSampleNames: Record<string, string> = {
 const kFirstSample = 'jug.obj';
 /** A solve that is over sooner shows no progress. */
 const kPatience = 350;
+/** Settings that decide on no other control. */
+const kSliders = ['levels', 'stopAfter', 'tension', 'shape'];
 const kAccepted = '.obj,.ply,.off,.stl,.xyz,.pwn,.pts';
 
 class Studio implements Page {
@@ -220,7 +222,7 @@ class Studio implements Page {
     if (focused && this.settingsBox.querySelector(`#${focused}:active`)) return;
     this.settingsBox.replaceChildren(element('h2', {}, 'Surface'), settingsForm(settings, situation, (part) => {
       void this.session.change(part);
-      if (!('levels' in part || 'stopAfter' in part && Object.keys(part).length === 1 || 'tension' in part || 'shape' in part)) this.drawSettings();
+      if (!Object.keys(part).every((name) => kSliders.includes(name))) this.drawSettings();
     }));
     if (focused) this.settingsBox.querySelector<HTMLElement>(`#${focused}`)?.focus();
   }

@@ -98,6 +98,17 @@ function boundaries(scheme: string): Choice<string>[] {
   ];
 }
 
+/** What follows from the choice of a scheme. */
+export function withScheme(s: Settings, scheme: string, vertices: number): Partial<Settings> {
+  // The given vertices stay where they are whatever the shape: only new ones show it.
+  const levels = scheme === kByItself ? Math.max(s.levels, Math.min(1, mostLevels(vertices))) : s.levels;
+  return {
+    scheme, levels, stopAfter: undefined,
+    boundary: boundaries(scheme).some((b) => b.value === s.boundary) ? s.boundary : 'edge-and-corner',
+    method: kWithFreedom.includes(scheme) ? s.method : 'progressive',
+  };
+}
+
 interface SliderOptions {
   id: string;
   label: string;
@@ -174,9 +185,7 @@ export function settingsForm(s: Settings, situation: Situation, change: (part: P
   const { loaded } = situation;
   const schemes = kSchemes.map((c) => ({ ...c, disabled: kOfTriangles.includes(c.value) && !loaded.triangles }));
   const form = element('div', { class: 'form' },
-    select('Scheme', schemes, s.scheme, (scheme) => change({
-      scheme, boundary: boundaries(scheme).some((b) => b.value === s.boundary) ? s.boundary : 'edge-and-corner',
-      method: kWithFreedom.includes(scheme) ? s.method : 'progressive', stopAfter: undefined })));
+    select('Scheme', schemes, s.scheme, (scheme) => change(withScheme(s, scheme, loaded.vertices))));
   if (situation.open) {
     form.append(select('Boundary', boundaries(s.scheme), s.boundary, (boundary) => change({ boundary, stopAfter: undefined })));
   }

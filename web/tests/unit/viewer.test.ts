@@ -5,7 +5,7 @@ import { connectivityOf, trianglesOf } from '../../src/viewer/connectivity';
 import { defaultView, panesOf } from '../../src/viewer/views';
 import { positionsOf, shapeOf, type PackedLayer } from '../../src/report/decode';
 import { sections } from '../../src/report/summary';
-import { byItself, iterates, mostLevels, settingsFor, solveOptions, suggestedLevels } from '../../src/studio/settings';
+import { byItself, iterates, mostLevels, settingsFor, solveOptions, suggestedLevels, withScheme } from '../../src/studio/settings';
 import { stem } from '../../src/studio/save';
 
 /** A quad and two triangles on its right edge's end: 6 vertices. */
@@ -117,6 +117,14 @@ describe('settings', () => {
     const itself = { ...settings, scheme: 'nonstationary-loop' };
     expect([iterates(settings), iterates(itself), iterates({ ...settings, method: 'fair' })]).toEqual([true, false, false]);
     expect([byItself(settings), byItself(itself)]).toEqual([false, true]);
+  });
+  test('a scheme keeps what it can of the other choices', () => {
+    const settings = { ...settingsFor(loaded), boundary: 'hoppe', method: 'fair', levels: 0 };
+    expect(withScheme(settings, 'catmull-clark', 900)).toMatchObject({ boundary: 'edge-and-corner', method: 'fair', levels: 0 });
+    expect(withScheme(settings, 'doo-sabin', 900)).toMatchObject({ method: 'progressive', levels: 0 });
+    expect(withScheme(settings, 'nonstationary-loop', 20000)).toMatchObject({ boundary: 'edge-and-corner', levels: 1 });
+    expect(withScheme(settings, 'nonstationary-loop', 2000000).levels).toBe(0);
+    expect(withScheme({ ...settings, levels: 3 }, 'nonstationary-loop', 900).levels).toBe(3);
   });
   test('names of files', () => {
     expect(['a/b/jug.obj', 'x', 'my.mesh.ply', '.obj'].map(stem)).toEqual(['jug', 'x', 'my.mesh', 'mesh']);
