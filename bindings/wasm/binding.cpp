@@ -6,6 +6,7 @@
 #include <surpass/topology.hpp>
 #include <surpass/version.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/emscripten.h>
 
+#include "nonstationary.hpp"
 #include "to_js.hpp"
 #include "wishes.hpp"
 
@@ -66,9 +68,7 @@ Mesh bare(const Mesh& mesh) {
 }
 
 // Curvature is that of the mesh in its frame: 1 is the curvature of a ball of radius one box side.
-Result<val> surface(const Mesh& control, const Rules& rules, int levels, const Frame& frame,
-                    const Context& context) {
-  auto limit = limit_mesh(control, rules, std::max(levels, 0), context);
+Result<val> curved(Result<Mesh> limit, const Frame& frame, const Context& context) {
   if (!limit) return tl::make_unexpected(limit.error());
   const auto curvatures = vertex_curvatures(*limit, context);
   if (!curvatures) return tl::make_unexpected(curvatures.error());
@@ -83,6 +83,11 @@ Result<val> surface(const Mesh& control, const Rules& rules, int levels, const F
   return display(*limit, frame);
 }
 
+Result<val> surface(const Mesh& control, const Rules& rules, int levels, const Frame& frame,
+                    const Context& context) {
+  return curved(limit_mesh(control, rules, std::max(levels, 0), context), frame, context);
+}
+
 val to_js(const SolveReport& report) {
   val told = val::object();
   told.set("converged", report.converged);
@@ -90,11 +95,18 @@ val to_js(const SolveReport& report) {
   told.set("tolerance", report.tolerance);
   told.set("iterations", report.iterations);
   told.set("boundaryIterations", report.boundary_iterations);
-  told.set("initialMax", report.initial.max);
-  told.set("initialMean", report.initial.mean);
   told.set("history", history(report.history));
   told.set("boundaryHistory", history(report.boundary_history));
   told.set("notes", strings(report.notes));
+  return told;
+}
+
+// Of milliseconds.
+val seconds(double solve, double verify, double surfaces) {
+  val told = val::object();
+  told.set("solve", solve / 1000);
+  told.set("verify", verify / 1000);
+  told.set("surfaces", surfaces / 1000);
   return told;
 }
 
@@ -120,7 +132,8 @@ class Core {
   /// `mend` is {repair?, triangulate?}. Tells what the file holds and the given mesh or points.
   val load(const std::string& file, const std::string& name, const val& mend);
   /// Control mesh, both surfaces, certificate, and how the solver went. The plain surface and the
-  /// points' errors are left out where they are as the last time.
+  /// points' errors are left out where they are as the last time, the control mesh where the
+  /// scheme needs none.
   val solve(const val& options, const val& progress);
   /// {richardson, chebyshev, boundaryRichardson, ...}: histories, for the plot.
   val rivals(const val& options, const val& progress) const;
@@ -130,11 +143,14 @@ class Core {
  private:
   Result<LoadedMesh> parse(const std::string& file, const std::string& name) const;
   Result<val> show(const Wishes& wishes, const Context& context);
+  Result<val> show_by_itself(const Wishes& wishes, const Context& context);
   Result<void> show_plain(const Rules& rules, int levels, val& shown, const Context& context);
+  [[nodiscard]] Result<Mesh> solved_surface() const;
 
   Mesh given_;
   Mesh control_;
   Rules rules_;
+  std::optional<NonstationaryOptions> by_itself_;  ///< in the place of control mesh and rules
   int levels_ = 2;
   Frame frame_;
   std::optional<std::pair<Rules, int>> plain_shown_;
@@ -160,6 +176,7 @@ val Core::load(const std::string& file, const std::string& name, const val& mend
   const auto wanted = [&](const char* what) { return mend[what].isTrue(); };
   if (wanted("repair")) take(repair(loaded->mesh));
   if (wanted("triangulate")) take(triangulate(loaded->mesh));
+  val told = val::object();
   const bool points_only = loaded->mesh.face_count() == 0;
   if (points_only && loaded->mesh.points.empty()) {
     return failure({.code = ErrorCode::empty_mesh,
@@ -167,17 +184,19 @@ val Core::load(const std::string& file, const std::string& name, const val& mend
                     .place = {.file = name}});
   }
   if (!points_only) {
-    if (const auto topology = Topology::build(loaded->mesh); !topology) {
+    const auto topology = Topology::build(loaded->mesh);
+    if (!topology) {
       Error error = topology.error();
       error.place.file = name;
       return failure(error);
     }
+    told.set("shapes", shapes_of(loaded->mesh, *topology));
   }
   given_ = std::move(loaded->mesh);
   control_ = {};
+  by_itself_.reset();
   plain_shown_.reset();
   frame_ = frame_of(given_.points);
-  val told = val::object();
   told.set("kind", std::string(points_only ? "points" : "mesh"));
   told.set("format", std::string(name_of(loaded->format)));
   told.set("notices", strings(notices));
@@ -195,7 +214,7 @@ val Core::solve(const val& options, const val& progress) {
   const auto wishes = read_wishes(options);
   if (!wishes) return failure(wishes.error());
   const Context context = telling(progress);
-  auto shown = show(*wishes, context);
+  auto shown = wishes->nonstationary ? show_by_itself(*wishes, context) : show(*wishes, context);
   return shown ? *shown : failure(shown.error());
 }
 
@@ -221,14 +240,47 @@ Result<val> Core::show(const Wishes& wishes, const Context& context) {
   shown.set("control", display(bare(found->control), frame_));
   shown.set("certificate", wasm::to_js(*certificate));
   shown.set("report", to_js(found->report));
-  val seconds = val::object();
-  seconds.set("solve", (solved - start) / 1000);
-  seconds.set("verify", (verified - solved) / 1000);
-  seconds.set("surfaces", (emscripten_get_now() - verified) / 1000);
-  shown.set("seconds", seconds);
+  shown.set("seconds", seconds(solved - start, verified - solved, emscripten_get_now() - verified));
   control_ = std::move(found->control);
+  by_itself_.reset();
   rules_ = rules;
   levels_ = levels;
+  plain_shown_ = {rules, wishes.levels};
+  return shown;
+}
+
+// The given mesh's own surface. What it is held to is computed from what is shown, every time.
+Result<val> Core::show_by_itself(const Wishes& wishes, const Context& context) {
+  const double start = emscripten_get_now();
+  const auto own = refined_by_itself(bare(given_), *wishes.nonstationary, wishes.levels, context);
+  if (!own) return tl::make_unexpected(own.error());
+  auto limit = own->limit_mesh(context);
+  if (!limit) return tl::make_unexpected(limit.error());
+  const double refined = emscripten_get_now();
+  const auto certificate =
+      compare_points(std::span(limit->points).first(given_.points.size()), own->aims(), "surpass");
+  if (!certificate) return tl::make_unexpected(certificate.error());
+  const double verified = emscripten_get_now();
+
+  SolveReport report;
+  report.tolerance = floored_tolerance(wishes.progressive.tolerance,
+                                       flat(std::as_const(given_.points)), frame_.side);
+  report.converged = certificate->max <= report.tolerance;
+  report.notes = own->notes();
+  val shown = val::object();
+  const Rules& rules = wishes.progressive.rules;
+  if (const auto added = show_plain(rules, wishes.levels, shown, context); !added) {
+    return tl::make_unexpected(added.error());
+  }
+  const auto fitted = curved(std::move(limit), frame_, context);
+  if (!fitted) return tl::make_unexpected(fitted.error());
+  shown.set("surface", *fitted);
+  shown.set("certificate", wasm::to_js(*certificate));
+  shown.set("report", to_js(report));
+  const double surfaces = refined - start + emscripten_get_now() - verified;
+  shown.set("seconds", seconds(0, verified - refined, surfaces));
+  by_itself_ = wishes.nonstationary;
+  levels_ = wishes.levels;
   plain_shown_ = {rules, wishes.levels};
   return shown;
 }
@@ -265,13 +317,25 @@ val Core::rivals(const val& options, const val& progress) const {
   return found;
 }
 
+// To be written, with all that the given mesh carries.
+Result<Mesh> Core::solved_surface() const {
+  if (!by_itself_) return limit_mesh(control_, rules_, levels_);
+  const auto own = refined_by_itself(given_, *by_itself_, levels_, {});
+  if (!own) return tl::make_unexpected(own.error());
+  return own->limit_mesh();
+}
+
 val Core::written(const std::string& what, const std::string& format) const {
   WriteOptions options;
   options.format = format_named(format);
   std::string text;
   Mesh refined;
+  if (what == "control" && by_itself_) {
+    return failure({.code = ErrorCode::invalid_argument,
+                    .message = "there is no other control mesh than the given one"});
+  }
   if (what == "surface") {
-    auto limit = limit_mesh(control_, rules_, levels_);
+    auto limit = solved_surface();
     if (!limit) return failure(limit.error());
     refined = std::move(*limit);
   }

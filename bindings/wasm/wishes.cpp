@@ -5,6 +5,8 @@ namespace {
 
 using emscripten::val;
 
+constexpr char kItself[] = "nonstationary-loop";
+
 // Keeps the first error; the rest of the object is then read for nothing.
 class Reader {
  public:
@@ -40,9 +42,13 @@ Result<Wishes> read_wishes(const val& from) {
   Wishes wishes;
   Reader read(from);
   InterpolateOptions& progressive = wishes.progressive;
-  // A scheme's own shape parameter belongs here, beside its boundary rule, once Rules has one.
-  read.name(
-      "scheme", [](auto word) { return scheme_named(word); }, progressive.rules.scheme);
+  const bool by_itself = from["scheme"].isString() && from["scheme"].as<std::string>() == kItself;
+  if (by_itself) {
+    progressive.rules.scheme = Scheme::loop;
+  } else {
+    read.name(
+        "scheme", [](auto word) { return scheme_named(word); }, progressive.rules.scheme);
+  }
   read.name(
       "boundary", [](auto word) { return boundary_named(word); }, progressive.rules.boundary);
   read.name(
@@ -52,6 +58,12 @@ Result<Wishes> read_wishes(const val& from) {
   read.number("tolerance", progressive.tolerance);
   read.number("maxIterations", progressive.max_iterations);
   read.number("levels", wishes.levels);
+
+  if (by_itself) {
+    wishes.nonstationary.emplace();
+    wishes.nonstationary->boundary = progressive.rules.boundary;
+    read.number("shape", wishes.nonstationary->shape);
+  }
 
   SimilarityOptions& similar = wishes.similar;
   similar.rules = progressive.rules;

@@ -39,6 +39,17 @@ export interface Loaded {
   scheme: string;
   boxSide: number;
   given: Shape;
+  /** Absent for points. */
+  shapes?: Shapes;
+}
+
+/** Shape parameters of nonstationary-loop: the range that the mesh allows, and those with names. */
+export interface Shapes {
+  lowest: number;
+  highest: number;
+  round: number;
+  standard: number;
+  flat: number;
 }
 
 export interface SolveOptions {
@@ -50,6 +61,8 @@ export interface SolveOptions {
   maxIterations: number;
   /** 0 to 1: the membrane's share of the energy, under the method fair. */
   tension: number;
+  /** The shape parameter of nonstationary-loop. */
+  shape: number;
   levels: number;
 }
 
@@ -74,8 +87,6 @@ export interface SolveReport {
   tolerance: number;
   iterations: number;
   boundaryIterations: number;
-  initialMax: number;
-  initialMean: number;
   history: Iteration[];
   boundaryHistory: Iteration[];
   notes: string[];
@@ -85,7 +96,8 @@ export interface SolveReport {
 export type Answer = Omit<Solved, 'plain' | 'pointErrors'> & Partial<Pick<Solved, 'plain' | 'pointErrors'>>;
 
 export interface Solved {
-  control: Shape;
+  /** Absent where the scheme needs none. */
+  control?: Shape;
   plain: Shape;
   surface: Shape;
   /** Distance from each given point to its limit on the plain surface. */

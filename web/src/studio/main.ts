@@ -30,6 +30,8 @@ const kSampleNames: Record<string, string> = {
 const kFirstSample = 'jug.obj';
 /** A solve that is over sooner shows no progress. */
 const kPatience = 350;
+/** Settings that decide on no other control. */
+const kSliders = ['levels', 'stopAfter', 'tension', 'shape'];
 const kAccepted = '.obj,.ply,.off,.stl,.xyz,.pwn,.pts';
 
 class Studio implements Page {
@@ -81,7 +83,8 @@ class Studio implements Page {
     this.samples.append(element('option', { value: '', disabled: '' }, 'Samples'),
       ...Object.keys(window.surpassSamples).map((file) => element('option', { value: file }, kSampleNames[file] ?? file)));
     this.samples.addEventListener('change', () => void this.openSample(this.samples.value));
-    this.exportButton.addEventListener('click', () => void this.exportMesh('control', this.format));
+    this.exportButton.addEventListener('click', () => void (this.session.solved?.control
+      ? this.exportMesh('control', this.format) : this.exportMesh('surface', this.surfaceFormat)));
     return element('header', { class: 'top' },
       element('h1', {}, 'Surpass ', element('span', { class: 'quiet' }, 'Studio')),
       this.samples, open, this.exportButton, this.chooser, element('span', { class: 'space' }),
@@ -134,6 +137,7 @@ class Studio implements Page {
     // What is said of a file that was refused stays, though the one before it is shown again.
     if (session.refused === undefined) this.message.hidden = true;
     this.exportButton.disabled = false;
+    this.exportButton.textContent = session.solved!.control ? 'Export control mesh' : 'Export surface';
     this.stage.show(session.content());
     this.drawSettings();
     this.drawExports();
@@ -162,7 +166,8 @@ class Studio implements Page {
       return button;
     };
     if (failure.code === 'singular') {
-      return [remedy('Use similarity instead', () => void session.change({ scheme: 'catmull-clark', method: 'similarity', stopAfter: undefined }))];
+      return [remedy('Use similarity instead', () => void session.change({
+        scheme: session.settings!.scheme === 'loop' ? 'loop' : 'catmull-clark', method: 'similarity', stopAfter: undefined }))];
     }
     const mendable = ['non-manifold-edge', 'inconsistent-orientation', 'repeated-vertex', 'degenerate-face', 'duplicate-face'];
     const file = session.refused;
@@ -217,7 +222,7 @@ class Studio implements Page {
     if (focused && this.settingsBox.querySelector(`#${focused}:active`)) return;
     this.settingsBox.replaceChildren(element('h2', {}, 'Surface'), settingsForm(settings, situation, (part) => {
       void this.session.change(part);
-      if (!('levels' in part || 'stopAfter' in part && Object.keys(part).length === 1 || 'tension' in part)) this.drawSettings();
+      if (!Object.keys(part).every((name) => kSliders.includes(name))) this.drawSettings();
     }));
     if (focused) this.settingsBox.querySelector<HTMLElement>(`#${focused}`)?.focus();
   }
@@ -234,9 +239,10 @@ class Studio implements Page {
     };
     const parts: HTMLElement[] = [element('h2', {}, 'Export')];
     if (loaded?.kind === 'mesh' && solved) {
-      parts.push(
-        row('Control mesh', ['obj', 'ply', 'off'], this.format, (f) => { this.format = f; }, () => void this.exportMesh('control', this.format)),
-        row('Surface', ['ply', 'obj', 'off', 'stl'], this.surfaceFormat, (f) => { this.surfaceFormat = f; }, () => void this.exportMesh('surface', this.surfaceFormat)));
+      if (solved.control) {
+        parts.push(row('Control mesh', ['obj', 'ply', 'off'], this.format, (f) => { this.format = f; }, () => void this.exportMesh('control', this.format)));
+      }
+      parts.push(row('Surface', ['ply', 'obj', 'off', 'stl'], this.surfaceFormat, (f) => { this.surfaceFormat = f; }, () => void this.exportMesh('surface', this.surfaceFormat)));
     }
     const picture = element('button', { type: 'button', class: 'small' }, 'Picture (PNG)');
     picture.addEventListener('click', async () => save(await this.stage.viewer.png(), `${stem(this.session.name)}.png`));

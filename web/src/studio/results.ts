@@ -5,21 +5,24 @@ import { element } from '../viewer/dom';
 import { count, figures, seconds, type Figure } from '../viewer/figures';
 import { plot, type PlotCurve } from '../viewer/plot';
 import type { Session } from './session';
+import { iterates } from './settings';
 
-function certificateFigures(session: Session, solved: Solved): Figure[] {
-  const { certificate, report } = solved;
-  const { loaded } = session;
+function solverFigures({ report, seconds: { solve } }: Solved): Figure[] {
   const solves = report.boundaryIterations > 0
     ? `${report.iterations} + ${report.boundaryIterations} on curves` : String(report.iterations);
+  return [{ name: 'Solver', value: report.solver }, { name: 'Iterations', value: solves }, { name: 'Solved in', value: seconds(solve) }];
+}
+
+function certificateFigures(session: Session, solved: Solved): Figure[] {
+  const { certificate } = solved;
+  const { loaded } = session;
   return [
-    { name: 'Largest error', value: shortNumber(certificate.max), title: 'Of the box side, from the control mesh evaluated anew' },
+    { name: 'Largest error', value: shortNumber(certificate.max), title: 'Of the box side, from the surface evaluated anew' },
     { name: 'Mean error', value: shortNumber(certificate.mean) },
     { name: 'Worst vertex', value: count(certificate.worstVertex) },
-    { name: 'Plain surface’s error', value: shortNumber(report.initialMax), title: 'The given mesh taken as control mesh' },
-    { name: 'Solver', value: report.solver },
-    { name: 'Iterations', value: solves },
+    { name: 'Plain surface’s error', value: shortNumber(solved.pointErrors.reduce((a, b) => Math.max(a, b), 0)), title: 'The given mesh taken as control mesh' },
     { name: 'Box side', value: shortNumber(loaded!.boxSide), title: 'Largest side of the given points’ box: the unit of all errors here' },
-    { name: 'Solved in', value: seconds(solved.seconds.solve) },
+    ...(solved.control ? solverFigures(solved) : []),
     { name: 'Surfaces in', value: seconds(solved.seconds.surfaces) },
   ];
 }
@@ -53,7 +56,7 @@ function rivalCurves(session: Session): PlotCurve[] {
 function convergence(session: Session, solved: Solved): HTMLElement {
   const compared = rivalCurves(session);
   const curves = compared.length > 0 ? compared : ownCurves(solved.report, session.settings!.method);
-  const progressive = session.settings!.method === 'progressive';
+  const progressive = iterates(session.settings!);
   return element('section', {}, element('h2', {}, 'Convergence'),
     element('p', { class: 'quiet caption' }, progressive
       ? 'Largest error, of the box side, at each evaluation of the limit'
@@ -73,7 +76,7 @@ export function results(session: Session): HTMLElement[] {
   if (!solved) return [];
   const parts = [
     element('section', {}, element('h2', {}, 'Certificate'), verdict(solved), figures(certificateFigures(session, solved))),
-    convergence(session, solved),
+    ...(solved.control ? [convergence(session, solved)] : []),
   ];
   const notes = [...loaded.notices, ...solved.report.notes];
   if (notes.length > 0) {

@@ -4,7 +4,7 @@ import type { Exportable, Failure, Loaded, Mend, Progress, Rivals, Shape, Solved
 import { connectivityOf, type Connectivity } from '../viewer/connectivity';
 import type { LayerSource } from '../viewer/layer';
 import type { Content } from '../viewer/viewer';
-import { kLiveVertices, settingsFor, solveOptions, type Settings, type Situation } from './settings';
+import { iterates, kLiveVertices, settingsFor, solveOptions, type Settings, type Situation } from './settings';
 
 const kRivalVertices = 100000;
 
@@ -118,7 +118,7 @@ export class Session {
       if (turn !== this.turn) return;
       this.solved = solved;
       this.failure = undefined;
-      if (settings.method === 'progressive' && settings.stopAfter === undefined) this.iterations = solved.report.iterations;
+      if (iterates(settings) && settings.stopAfter === undefined) this.iterations = solved.report.iterations;
       this.page.solved(this);
     } catch (error) {
       if (error instanceof Cancelled || turn !== this.turn) return;
@@ -137,7 +137,7 @@ export class Session {
 
   private async compare(turn: number, settings: Settings): Promise<void> {
     this.rivals = undefined;
-    if (settings.method !== 'progressive' || settings.stopAfter !== undefined || this.loaded!.vertices > kRivalVertices) return;
+    if (!iterates(settings) || settings.stopAfter !== undefined || this.loaded!.vertices > kRivalVertices) return;
     try {
       const rivals = await this.core.rivals({ ...solveOptions(settings), solver: 'auto' });
       if (turn !== this.turn) return;
@@ -157,8 +157,8 @@ export class Session {
     }
     const layers = [this.layer('given', 'Given mesh', 'mesh', loaded.given)];
     if (!solved) return { layers, points: loaded.given.positions };
+    if (solved.control) layers.push(this.layer('control', 'Control mesh', 'cage', solved.control));
     layers.push(
-      this.layer('control', 'Control mesh', 'cage', solved.control),
       this.layer('plain', 'Plain limit surface', 'surface', solved.plain),
       { ...this.layer('surface', 'Interpolating surface', 'surface', solved.surface), flatError: solved.certificate.max });
     return { layers, points: loaded.given.positions, pointErrors: solved.pointErrors };

@@ -13,6 +13,8 @@ export interface Settings {
   /** Evaluations to stop after; undefined: as many as it takes. */
   stopAfter: number | undefined;
   tension: number;
+  /** Shape parameter of the scheme that interpolates by itself. */
+  shape: number;
 }
 
 /** What of the mesh decides which choices there are. */
@@ -44,14 +46,20 @@ export function settingsFor(loaded: Loaded): Settings {
   return {
     scheme: loaded.scheme, boundary: 'edge-and-corner', method: 'progressive', solver: 'auto',
     tolerance: 1e-12, levels: suggestedLevels(loaded.vertices), stopAfter: undefined, tension: 0,
+    shape: loaded.shapes?.standard ?? 0,
   };
 }
+
+const kByItself = 'nonstationary-loop';
+/** The scheme needs no control mesh, so there is nothing to solve. */
+export const byItself = (s: Settings): boolean => s.scheme === kByItself;
+export const iterates = (s: Settings): boolean => !byItself(s) && s.method === 'progressive';
 
 export function solveOptions(s: Settings): SolveOptions {
   return {
     scheme: s.scheme, boundary: s.boundary, method: s.method, solver: s.solver, tolerance: s.tolerance,
     maxIterations: s.method === 'progressive' ? (s.stopAfter ?? kMostIterations) : 1000,
-    tension: s.tension, levels: s.levels,
+    tension: s.tension, shape: s.shape, levels: s.levels,
   };
 }
 
@@ -59,7 +67,11 @@ const kSchemes: Choice<string>[] = [
   { value: 'loop', label: 'Loop' },
   { value: 'catmull-clark', label: 'Catmull-Clark' },
   { value: 'doo-sabin', label: 'Doo-Sabin' },
+  { value: kByItself, label: 'Non-stationary Loop' },
 ];
+const kOfTriangles = ['loop', kByItself];
+/** The schemes with the methods similarity and fair. */
+const kWithFreedom = ['loop', 'catmull-clark'];
 const kMethods: Choice<string>[] = [
   { value: 'progressive', label: 'Progressive' },
   { value: 'similarity', label: 'Similarity' },
@@ -76,12 +88,25 @@ const kTolerances: Choice<string>[] = [
   { value: '1e-6', label: '1e−6' }, { value: '1e-9', label: '1e−9' }, { value: '1e-12', label: '1e−12' },
 ];
 
+const kNoControl = 'This surface passes through the points by itself: no control mesh, nothing to solve. Export the surface.';
+
 function boundaries(scheme: string): Choice<string>[] {
   const loop = scheme === 'loop';
   return [
     { value: 'edge-and-corner', label: 'Edge and corner' }, { value: 'edge-only', label: 'Edge only' },
     ...(loop ? [{ value: 'hoppe', label: 'Hoppe' }, { value: 'interior', label: 'Interior mask' }] : []),
   ];
+}
+
+/** What follows from the choice of a scheme. */
+export function withScheme(s: Settings, scheme: string, vertices: number): Partial<Settings> {
+  // The given vertices stay where they are whatever the shape: only new ones show it.
+  const levels = scheme === kByItself ? Math.max(s.levels, Math.min(1, mostLevels(vertices))) : s.levels;
+  return {
+    scheme, levels, stopAfter: undefined,
+    boundary: boundaries(scheme).some((b) => b.value === s.boundary) ? s.boundary : 'edge-and-corner',
+    method: kWithFreedom.includes(scheme) ? s.method : 'progressive',
+  };
 }
 
 interface SliderOptions {
@@ -93,6 +118,8 @@ interface SliderOptions {
   value: number;
   text: (value: number) => string;
   title: string;
+  /** Values with a name, each a button. */
+  named?: { name: string; value: number }[];
 }
 
 function slider(o: SliderOptions, change: (value: number) => void): HTMLElement {
@@ -106,11 +133,28 @@ function slider(o: SliderOptions, change: (value: number) => void): HTMLElement 
     input.setAttribute('aria-valuetext', o.text(input.valueAsNumber));
     change(input.valueAsNumber);
   });
-  return element('div', { class: 'slider', title: o.title }, element('label', { for: o.id }, o.label), output, input);
+  const named = (o.named ?? []).map(({ name, value }) => {
+    const button = element('button', { type: 'button', class: 'small', id: `${o.id}-${name.toLowerCase()}`, title: o.text(value) }, name);
+    button.addEventListener('click', () => {
+      input.value = String(value);
+      input.dispatchEvent(new Event('input'));
+    });
+    return button;
+  });
+  return element('div', { class: 'slider', title: o.title }, element('label', { for: o.id }, o.label), output, input,
+    named.length > 0 ? element('div', { class: 'named' }, ...named) : undefined);
 }
 
-/** The sliders that change the shape. A scheme's own shape parameter goes first in this list. */
+/** The sliders that change the shape. */
 function shapeSliders(s: Settings, situation: Situation, change: (part: Partial<Settings>) => void): HTMLElement[] {
+  if (byItself(s)) {
+    const { lowest, highest, round, standard, flat } = situation.loaded.shapes!;
+    return [slider({
+      id: 'shape', label: 'Shape', min: lowest, max: highest, step: 0.01, value: s.shape,
+      text: (v) => v.toFixed(2).replace('-', '−'), title: 'Shape parameter: the smaller, the rounder',
+      named: [{ name: 'Round', value: round }, { name: 'Default', value: standard }, { name: 'Flat', value: flat }],
+    }, (shape) => change({ shape }))];
+  }
   if (s.method === 'fair') {
     return [slider({
       id: 'tension', label: 'Tension', min: 0, max: 0.99, step: 0.01, value: s.tension,
@@ -118,7 +162,7 @@ function shapeSliders(s: Settings, situation: Situation, change: (part: Partial<
     }, (tension) => change({ tension }))];
   }
   const most = situation.iterations;
-  if (s.method !== 'progressive' || most < 2) return [];
+  if (!iterates(s) || most < 2) return [];
   return [slider({
     id: 'stop-after', label: 'Iterations', min: 1, max: most, step: 1, value: Math.min(s.stopAfter ?? most, most),
     text: (v) => (v >= most ? `all ${most}` : `${v} of ${most}`),
@@ -126,24 +170,27 @@ function shapeSliders(s: Settings, situation: Situation, change: (part: Partial<
   }, (v) => change({ stopAfter: v >= most ? undefined : v }))];
 }
 
+/** How the control mesh is found. */
+function solverFields(s: Settings, change: (part: Partial<Settings>) => void): HTMLElement[] {
+  const methods = kMethods.map((c) => ({ ...c, disabled: c.value !== 'progressive' && !kWithFreedom.includes(s.scheme) }));
+  return [
+    select('Method', methods, s.method, (method) => change({ method, stopAfter: undefined })),
+    ...(s.method === 'progressive' ? [select('Solver', kSolvers, s.solver, (solver) => change({ solver, stopAfter: undefined }))] : []),
+    select('Tolerance', kTolerances, kTolerances.find((t) => Number(t.value) === s.tolerance)!.value,
+      (tolerance) => change({ tolerance: Number(tolerance), stopAfter: undefined })),
+  ];
+}
+
 export function settingsForm(s: Settings, situation: Situation, change: (part: Partial<Settings>) => void): HTMLElement {
   const { loaded } = situation;
-  const schemes = kSchemes.map((c) => ({ ...c, disabled: c.value === 'loop' && !loaded.triangles }));
-  const methods = kMethods.map((c) => ({ ...c, disabled: c.value !== 'progressive' && s.scheme !== 'catmull-clark' }));
+  const schemes = kSchemes.map((c) => ({ ...c, disabled: kOfTriangles.includes(c.value) && !loaded.triangles }));
   const form = element('div', { class: 'form' },
-    select('Scheme', schemes, s.scheme, (scheme) => change({
-      scheme, boundary: boundaries(scheme).some((b) => b.value === s.boundary) ? s.boundary : 'edge-and-corner',
-      method: scheme === 'catmull-clark' ? s.method : 'progressive', stopAfter: undefined })),
-    select('Method', methods, s.method, (method) => change({ method, stopAfter: undefined })));
+    select('Scheme', schemes, s.scheme, (scheme) => change(withScheme(s, scheme, loaded.vertices))));
   if (situation.open) {
     form.append(select('Boundary', boundaries(s.scheme), s.boundary, (boundary) => change({ boundary, stopAfter: undefined })));
   }
-  if (s.method === 'progressive') {
-    form.append(select('Solver', kSolvers, s.solver, (solver) => change({ solver, stopAfter: undefined })));
-  }
   form.append(
-    select('Tolerance', kTolerances, kTolerances.find((t) => Number(t.value) === s.tolerance)!.value,
-      (tolerance) => change({ tolerance: Number(tolerance), stopAfter: undefined })),
+    ...(byItself(s) ? [element('p', { class: 'quiet' }, kNoControl)] : solverFields(s, change)),
     ...shapeSliders(s, situation, change),
     slider({
       id: 'levels', label: 'Fineness', min: 0, max: mostLevels(loaded.vertices), step: 1,

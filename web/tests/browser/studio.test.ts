@@ -42,6 +42,18 @@ async function load(name: string, text: string): Promise<void> {
   await opened.page.getByLabel('Mesh file').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
 }
 
+/** How far positions of two OBJ files are apart, of the second one's box side. */
+function offBy(here: string, there: string): number {
+  const [a, b] = [here, there].map((file) => positionsOf(readFileSync(file, 'utf8')));
+  expect(a!.length).toBe(b!.length);
+  const largest = (numbers: number[]) => numbers.reduce((most, x) => Math.max(most, x), -Infinity);
+  const side = largest([0, 1, 2].map((c) => {
+    const of = b!.filter((_, i) => i % 3 === c);
+    return largest(of) + largest(of.map((x) => -x));
+  }));
+  return largest(a!.map((x, i) => Math.abs(x - b![i]!))) / side;
+}
+
 test('a sample is there at once, and passes through its points', async () => {
   const { page } = opened;
   expect(await verdict(page).textContent()).toContain('Passes through every point');
@@ -123,6 +135,54 @@ test('the surface follows the sliders', async () => {
   expect(await verdict(page).textContent()).toContain('Off by');
 });
 
+test('the shape parameter moves the surface that interpolates by itself', async () => {
+  const { page } = opened;
+  await page.getByLabel('Sample').selectOption('double_torus.obj');
+  await page.locator('.file', { hasText: 'double_torus.obj' }).waitFor();
+  await choose('Scheme', 'nonstationary-loop');
+  const shape = page.getByLabel('Shape', { exact: true });
+  await shape.waitFor();
+  await page.getByRole('button', { name: 'Export surface' }).waitFor();
+  expect(await verdict(page).textContent()).toContain('Passes through every point');
+  // What only other schemes need is not there.
+  for (const name of ['Method', 'Solver', 'Tolerance']) expect(await page.getByLabel(name, { exact: true }).count()).toBe(0);
+  expect(await page.locator('.plot').count()).toBe(0);
+  expect(await radio(page, 'Control mesh').count()).toBe(0);
+  expect(await page.locator('.panel.left').textContent()).toContain('by itself');
+
+  let before = await picture(page);
+  const shapeSolved = (value: string) => expect.poll(() => page.evaluate(() => {
+    const { session } = window.surpassStudio!;
+    return `${session.settings!.shape} ${session.solved!.control === undefined}`;
+  })).toBe(`${value} true`);
+  expect(await shape.getAttribute('max')).toBe('1.99');  // The mesh has vertices of valence 3.
+  await shape.fill('1.5');
+  await shapeSolved('1.5');
+  before = await changedFrom(page, before, 0.002);
+  await page.getByRole('button', { name: 'Round', exact: true }).click();
+  await shapeSolved('-3');
+  expect(await shape.inputValue()).toBe('-3');
+  await changedFrom(page, before, 0.002);
+  expect(await verdict(page).textContent()).toContain('Passes through every point');
+
+  await page.getByLabel('Format of: Surface').selectOption('obj');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Export surface' }).click()]);
+  const here = join(folder, download.suggestedFilename());
+  await download.saveAs(here);
+  const there = join(folder, 'itself.obj');
+  const levels = await page.evaluate(() => window.surpassStudio!.session.settings!.levels);
+  expect(surpass('interpolate', resolve(kRoot, 'data/double_torus.obj'), '-o', there, '--scheme', 'nonstationary-loop',
+    '--shape', '-3', '--levels', String(levels)).status).toBe(0);
+  expect(offBy(here, there)).toBeLessThanOrEqual(1e-12);
+  await choose('Scheme', 'loop');
+  await page.getByRole('button', { name: 'Export control mesh' }).waitFor();
+  await page.locator('.key', { hasText: 'Chebyshev' }).waitFor();
+  await choose('Method', 'fair');
+  await page.getByLabel('Tension').waitFor();
+  await verdict(page).filter({ hasText: 'Passes' }).waitFor();
+  await choose('Method', 'progressive');
+});
+
 test('creases and boundaries are marked', async () => {
   const { page } = opened;
   await page.getByLabel('Sample').selectOption('crease_boundary.obj');
@@ -162,13 +222,7 @@ test('from a dropped file to an exported control mesh in two actions, equal to t
   expect(checked.status).toBe(0);
   const there = join(folder, 'native.obj');
   expect(surpass('interpolate', given, '-o', there, '--tolerance', '1e-12').status).toBe(0);
-  const [a, b] = [here, there].map((file) => positionsOf(readFileSync(file, 'utf8')));
-  expect(a!.length).toBe(b!.length);
-  const side = Math.max(...[0, 1, 2].map((c) => {
-    const of = b!.filter((_, i) => i % 3 === c);
-    return Math.max(...of) - Math.min(...of);
-  }));
-  expect(Math.max(...a!.map((x, i) => Math.abs(x - b![i]!))) / side).toBeLessThanOrEqual(1e-12);
+  expect(offBy(here, there)).toBeLessThanOrEqual(1e-12);
 });
 
 test('surfaces and pictures are saved, too', async () => {

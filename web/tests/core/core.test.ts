@@ -23,7 +23,7 @@ beforeAll(async () => {
 
 function options(part: Partial<SolveOptions>): SolveOptions {
   return { scheme: 'loop', boundary: 'edge-and-corner', method: 'progressive', solver: 'auto', tolerance: 1e-12,
-    maxIterations: 10000, tension: 0, levels: 1, ...part };
+    maxIterations: 10000, tension: 0, shape: -1.5, levels: 1, ...part };
 }
 
 function largestDifference(a: readonly number[], b: readonly number[]): number {
@@ -42,6 +42,8 @@ describe('control meshes equal the program’s to 1e-12 of the box side', () => 
     ['quad_torus.obj', { scheme: 'catmull-clark' }],
     ['mixed_polygons.obj', { scheme: 'catmull-clark', method: 'similarity' }],
     ['cube.obj', { scheme: 'catmull-clark', method: 'fair', tension: 0.25 }],
+    ['double_torus.obj', { method: 'similarity' }],
+    ['sphere_irregular.obj', { method: 'fair', tension: 0.25 }],
   ];
   test.each(cases)('%s %o', (name, part) => {
     const wanted = options(part);
@@ -65,6 +67,58 @@ describe('control meshes equal the program’s to 1e-12 of the box side', () => 
     // All else is the same, byte for byte: faces, creases, and what the file records of its rules.
     const others = (text: string) => text.split('\n').filter((l) => !l.startsWith('v ')).join('\n');
     expect(others(here)).toBe(others(there));
+  });
+});
+
+describe('the non-stationary surface is the program’s to 1e-12 of the box side, and meets the points', () => {
+  const cases: [string, Partial<SolveOptions>][] = [
+    ['double_torus.obj', { shape: -1.5, levels: 2 }],
+    ['jug.obj', { shape: 0.75, levels: 1, boundary: 'edge-only' }],
+    ['crease_loop.obj', { shape: -3, levels: 2 }],
+    ['octahedron.obj', { shape: 3.99, levels: 3 }],
+  ];
+  test.each(cases)('%s %o', (name, part) => {
+    const wanted = options({ scheme: 'nonstationary-loop', ...part });
+    const core = new module.Core();
+    const loaded = core.load(sample(name), name, {});
+    const solved = core.solve(wanted, null);
+    expect(solved.error).toBeUndefined();
+    expect(solved.report.converged).toBe(true);
+    expect(solved.certificate.max).toBeLessThanOrEqual(1e-12);
+    expect(solved.control).toBeUndefined();
+    expect(core.written('control', 'obj').error?.message).toContain('no other control mesh');
+    const here = positionsOf(new TextDecoder().decode(core.written('surface', 'obj').bytes));
+
+    const file = join(folder, `itself-${name}`);
+    const ran = surpass('interpolate', resolve(kRoot, 'data', name), '-o', file, '--scheme', wanted.scheme, '--boundary',
+      wanted.boundary, '--shape', `${wanted.shape}`, '--levels', `${wanted.levels}`);
+    expect(ran.err).toContain('shape parameter');
+    expect(ran.status).toBe(0);
+    expect(largestDifference(here, positionsOf(readFileSync(file, 'utf8'))) / loaded.boxSide).toBeLessThanOrEqual(1e-12);
+    // What is shown is what is written, in single precision.
+    const shown = [...solved.surface.positions];
+    const centre = [0, 1, 2].map((c) => {
+      const of = positionsOf(new TextDecoder().decode(core.written('given', 'obj').bytes)).filter((_, i) => i % 3 === c);
+      return (Math.min(...of) + Math.max(...of)) / 2;
+    });
+    expect(largestDifference(shown, here.map((x, i) => (x - centre[i % 3]!) / loaded.boxSide))).toBeLessThan(1e-6);
+  });
+
+  test('the range is the mesh’s, and beyond it the library’s words', () => {
+    const tetrahedron = 'v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n';
+    const core = new module.Core();
+    const { shapes } = core.load(new TextEncoder().encode(tetrahedron), 'tetrahedron.obj', {});
+    expect(shapes).toEqual({ lowest: -3.99, highest: 1.99, round: -3, standard: -1.5, flat: 0 });
+    const solved = core.solve(options({ scheme: 'nonstationary-loop', shape: 2.5 }), null);
+    expect(solved.report.notes.join()).toContain('1.99');
+    expect(core.solve(options({ scheme: 'nonstationary-loop', shape: 1.99 }), null).report.notes).toEqual([]);
+    expect(core.load(sample('octahedron.obj'), 'octahedron.obj', {}).shapes!.highest).toBe(3.99);
+    // Boundary vertices of three neighbours, and vertices on creases, have rules of their own.
+    const { shapes: open } = core.load(new TextEncoder().encode(tetrahedron.replace('f 2 4 3\n', '')), 'open.obj', {});
+    expect(open!.highest).toBe(1.99);
+    expect(core.load(sample('triangle.off'), 'triangle.off', {}).shapes!.highest).toBe(3.99);
+    core.load(sample('crease_semi_sharp.obj'), 'crease_semi_sharp.obj', {});
+    expect(core.solve(options({ scheme: 'nonstationary-loop' }), null).error?.code).toBe('unsuitable-for-scheme');
   });
 });
 

@@ -5,7 +5,7 @@ import { connectivityOf, trianglesOf } from '../../src/viewer/connectivity';
 import { defaultView, panesOf } from '../../src/viewer/views';
 import { positionsOf, shapeOf, type PackedLayer } from '../../src/report/decode';
 import { sections } from '../../src/report/summary';
-import { mostLevels, settingsFor, solveOptions, suggestedLevels } from '../../src/studio/settings';
+import { byItself, iterates, mostLevels, settingsFor, solveOptions, suggestedLevels, withScheme } from '../../src/studio/settings';
 import { stem } from '../../src/studio/save';
 
 /** A quad and two triangles on its right edge's end: 6 vertices. */
@@ -96,7 +96,8 @@ describe('a report’s data', () => {
 
 describe('settings', () => {
   const loaded = { kind: 'mesh' as const, format: 'obj', notices: [], vertices: 900, faces: 1800, triangles: true,
-    scheme: 'loop', boxSide: 1, given: kPatch };
+    scheme: 'loop', boxSide: 1, given: kPatch,
+    shapes: { lowest: -3.99, highest: 3.99, round: -3, standard: -1.5, flat: 0 } };
   test('what is shown stays within what a page can hold', () => {
     expect(suggestedLevels(8)).toBe(4);
     expect(suggestedLevels(900)).toBe(2);
@@ -108,6 +109,22 @@ describe('settings', () => {
     expect(solveOptions(settings).maxIterations).toBe(3);
     expect(solveOptions({ ...settings, method: 'fair' }).maxIterations).toBe(1000);
     expect(solveOptions({ ...settings, stopAfter: undefined }).maxIterations).toBe(10000);
+  });
+  test('the shape parameter starts at the library’s own, and a scheme that interpolates by itself does not iterate', () => {
+    const settings = settingsFor(loaded);
+    expect(solveOptions(settings).shape).toBe(-1.5);
+    expect(settingsFor({ ...loaded, shapes: { ...loaded.shapes, standard: -2 } }).shape).toBe(-2);
+    const itself = { ...settings, scheme: 'nonstationary-loop' };
+    expect([iterates(settings), iterates(itself), iterates({ ...settings, method: 'fair' })]).toEqual([true, false, false]);
+    expect([byItself(settings), byItself(itself)]).toEqual([false, true]);
+  });
+  test('a scheme keeps what it can of the other choices', () => {
+    const settings = { ...settingsFor(loaded), boundary: 'hoppe', method: 'fair', levels: 0 };
+    expect(withScheme(settings, 'catmull-clark', 900)).toMatchObject({ boundary: 'edge-and-corner', method: 'fair', levels: 0 });
+    expect(withScheme(settings, 'doo-sabin', 900)).toMatchObject({ method: 'progressive', levels: 0 });
+    expect(withScheme(settings, 'nonstationary-loop', 20000)).toMatchObject({ boundary: 'edge-and-corner', levels: 1 });
+    expect(withScheme(settings, 'nonstationary-loop', 2000000).levels).toBe(0);
+    expect(withScheme({ ...settings, levels: 3 }, 'nonstationary-loop', 900).levels).toBe(3);
   });
   test('names of files', () => {
     expect(['a/b/jug.obj', 'x', 'my.mesh.ply', '.obj'].map(stem)).toEqual(['jug', 'x', 'my.mesh', 'mesh']);
