@@ -1,5 +1,6 @@
 #include "program.hpp"
 
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 
@@ -16,6 +17,7 @@ void run_program(std::vector<std::string> arguments) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
+  ::unsetenv("GLIBC_TUNABLES");  // malloc has read them; the program decides for itself
   pid_t child = 0;
   if (::posix_spawn(&child, pointers[0], nullptr, nullptr, pointers.data(), environ) != 0) {
     throw std::runtime_error("cannot start " SURPASS_BENCH_PROGRAM);

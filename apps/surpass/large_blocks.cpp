@@ -1,29 +1,16 @@
 // Arrays of millions of numbers are filled once and thrown away soon. Half of the time that takes
 // is the kernel's, which hands memory out in small pages; so large blocks ask it for huge ones.
-// These are the operators that the standard lets a program replace. And what was freed is kept for
-// the next block: the kernel clears all that it hands out, and a virtual machine's host may have to
-// find it first.
+// These are the operators that the standard lets a program replace.
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
 #include <sys/mman.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
-
-#ifdef __GLIBC__
-[[maybe_unused]] const bool kKept = [] {
-  ::mallopt(M_MMAP_MAX, 0);  // such a block would go back to the kernel when it is freed
-  ::mallopt(M_TRIM_THRESHOLD, -1);
-  return true;
-}();
-#endif
 
 void* allocate(std::size_t size, std::size_t alignment) {
   const bool large = size >= kHugePage;

@@ -47,6 +47,7 @@ export class Session {
 
   async open(bytes: Uint8Array<ArrayBuffer>, name: string, mend: Mend = {}): Promise<void> {
     if (this.running) this.core.cancel();
+    this.running = false;  // or else the new file's solve would wait for the one that was cancelled
     const turn = ++this.turn;
     this.again = false;
     this.page.busy(undefined, bytes.length > 2e6);
