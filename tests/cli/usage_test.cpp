@@ -39,7 +39,7 @@ TEST(Usage, TheNearestOptionIsSuggested) {
   expect_usage_error({"subdivide", given, "-o", "x.obj", "--level", "1"},
                      "did you mean '--levels'?");
   expect_usage_error({"inspect", given, "--xyzzyx"}, "there is no option '--xyzzyx'; see");
-  expect_usage_error({"convert", given, "-o", "x.ply"}, "there is no option '-o'; see");
+  expect_usage_error({"inspect", given, "-o", "x.ply"}, "there is no option '-o'; see");
 }
 
 TEST(Usage, TheNearestValueIsSuggested) {
