@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-from plot import log_plot
+from plot import log_plot, publish
 
 RUNS = {32: 15, 100: 15, 316: 7, 1000: 5, 3162: 5}  # by vertices a side
 STAGES = ["read", "topology", "solve", "verify", "write"]
@@ -108,10 +108,7 @@ def main():
         sys.exit(__doc__)
     build, results, picture = map(pathlib.Path, sys.argv[1:4])
     figures = measure(build, quick=len(sys.argv) == 5)
-    (results / "curve.json").write_text(json.dumps(figures, indent=1) + "\n")
-    (results / "curve.md").write_text(table(figures) + "\n")
-    picture.write_text(plot(figures))
-    print(table(figures))
+    publish(figures, table(figures), results, "curve", plot(figures), picture)
 
 
 if __name__ == "__main__":

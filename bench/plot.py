@@ -1,4 +1,5 @@
-"""Lines over two logarithmic axes, as an SVG."""
+"""Lines over two logarithmic axes, as an SVG, and where a curve's figures go."""
+import json
 import math
 
 LEFT, TOP, WIDTH, HEIGHT = 70, 20, 560, 360
@@ -46,3 +47,11 @@ def log_plot(lines, x_label, x_range, x_powers, y_range, y_names, mark=None):
         last = max(py, last + 14)  # names that would lie on each other move down
         out.append(f'<text x="{px + 6:.1f}" y="{last + 4:.1f}" fill="{colour}">{name}</text>')
     return "\n".join([*out, "</svg>", ""])
+
+
+def publish(figures, text, results, name, drawing, picture):
+    """Leaves the raw figures and their table in the folder `results`, the drawing in `picture`."""
+    (results / f"{name}.json").write_text(json.dumps(figures, indent=1) + "\n")
+    (results / f"{name}.md").write_text(text + "\n")
+    picture.write_text(drawing)
+    print(text)

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-from plot import log_plot
+from plot import log_plot, publish
 
 SIZES = [20_000, 100_000, 500_000, 2_000_000]
 STAGES = ["read", "reconstruct", "interpolate", "verify", "write"]
@@ -95,10 +95,7 @@ def main():
         for count in SIZES:
             figures.append(run(build / "surpass", pathlib.Path(name), count))
             print(f"{count} points: {figures[-1]['processor']:.1f} s", file=sys.stderr)
-    (results / "points_curve.json").write_text(json.dumps(figures, indent=1) + "\n")
-    (results / "points_curve.md").write_text(table(figures) + "\n")
-    picture.write_text(plot(figures))
-    print(table(figures))
+    publish(figures, table(figures), results, "points_curve", plot(figures), picture)
 
 
 if __name__ == "__main__":
