@@ -1,6 +1,7 @@
 #include "mesh/refusals.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -54,6 +55,24 @@ Error inconsistent_orientation(Index face, std::array<Index, 2> edge) {
   return {ErrorCode::inconsistent_orientation,
           "the two faces at an edge run along it in the same direction: one of them is inside out",
           {.face = face, .edge = edge}};
+}
+
+Result<void> check_measurable(const Mesh& mesh) {
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face(f).size() < 3) {
+      return tl::make_unexpected(degenerate_face(f, mesh.face(f).size()));
+    }
+    for (const Index v : mesh.face(f)) {
+      if (v >= mesh.points.size()) {
+        return tl::make_unexpected(index_out_of_range(f, v, mesh.points.size()));
+      }
+      const Point& p = mesh.points[v];
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+        return tl::make_unexpected(not_finite(v, p));
+      }
+    }
+  }
+  return {};
 }
 
 std::optional<Error> FaceCheck::operator()(Index face) {

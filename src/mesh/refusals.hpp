@@ -18,6 +18,10 @@ namespace surpass::refusal {
 [[nodiscard]] Error non_manifold_edge(Index face, std::array<Index, 2> edge, Index faces);
 [[nodiscard]] Error inconsistent_orientation(Index face, std::array<Index, 2> edge);
 
+/// What keeps faces, in any order and direction, from being measured as a surface: too few corners,
+/// vertices that are not there, positions that are not finite. O(#corners).
+[[nodiscard]] Result<void> check_measurable(const Mesh& mesh);
+
 /// What is wrong with single faces, looked at one after the other.
 class FaceCheck {
  public:

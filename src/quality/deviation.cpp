@@ -30,21 +30,7 @@ Result<void> check(const Mesh& mesh, const char* which) {
     return fail(ErrorCode::empty_mesh,
                 fmt::format("the {} mesh has no faces, so there is no surface to compare", which));
   }
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.face(f).size() < 3) {
-      return tl::make_unexpected(refusal::degenerate_face(f, mesh.face(f).size()));
-    }
-    for (const Index v : mesh.face(f)) {
-      if (v >= mesh.points.size()) {
-        return tl::make_unexpected(refusal::index_out_of_range(f, v, mesh.points.size()));
-      }
-      const Point& p = mesh.points[v];
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
-        return tl::make_unexpected(refusal::not_finite(v, p));
-      }
-    }
-  }
-  return {};
+  return refusal::check_measurable(mesh);
 }
 
 // Both surfaces are moved into a common box of side 1, where nothing overflows.

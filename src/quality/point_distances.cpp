@@ -21,20 +21,7 @@ Result<void> check_surface(const Mesh& surface) {
   if (surface.face_count() == 0) {
     return fail(ErrorCode::empty_mesh, "there are no faces, so there is no surface to measure to");
   }
-  for (Index f = 0; f < surface.face_count(); ++f) {
-    if (surface.face(f).size() < 3) {
-      return tl::make_unexpected(refusal::degenerate_face(f, surface.face(f).size()));
-    }
-    for (const Index v : surface.face(f)) {
-      if (v >= surface.points.size()) {
-        return tl::make_unexpected(refusal::index_out_of_range(f, v, surface.points.size()));
-      }
-      if (!is_finite(surface.points[v])) {
-        return tl::make_unexpected(refusal::not_finite(v, surface.points[v]));
-      }
-    }
-  }
-  return {};
+  return refusal::check_measurable(surface);
 }
 
 // The lower 21 bits, each at three times its place.

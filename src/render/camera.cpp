@@ -43,9 +43,9 @@ Fit fit_axis(std::span<const Vec3> seen, int axis, float slope, float radius) {
 // Where this axis leaves room to spare: the place from which both sides have the same. A step
 // takes away all of the difference but for the points' unequal depths.
 float centre_axis(std::span<const Vec3> seen, int axis, const Fit& fit, float distance) {
-  constexpr int kSteps = 8;
+  constexpr int kMostSteps = 8;
   float middle = fit.middle;
-  for (int step = 0; step < kSteps && fit.distance < distance; ++step) {
+  for (int step = 0; step < kMostSteps && fit.distance < distance; ++step) {
     float low = std::numeric_limits<float>::infinity();
     float high = -low;
     for (const Vec3& p : seen) {

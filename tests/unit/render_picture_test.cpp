@@ -1,5 +1,6 @@
 #include "render/camera.hpp"
 #include "render_samples.hpp"
+#include "support/polygons.hpp"
 
 namespace surpass {
 namespace {
@@ -125,16 +126,8 @@ TEST(RenderPicture, MirroredSceneGivesMirroredOutline) {
 }
 
 TEST(RenderPicture, HoleFacesAreNotDrawn) {
-  Mesh mesh;
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 4; ++x) mesh.points.push_back({double(x), double(y), 0});
-  }
-  for (Index y = 0; y < 3; ++y) {
-    for (Index x = 0; x < 3; ++x) {
-      const Index a = 4 * y + x;
-      mesh.add_face(std::array{a, a + 1, a + 5, a + 4});
-    }
-  }
+  Mesh mesh = test::quad_grid(4, 4);
+  for (Point& p : mesh.points) p[2] = 0;
   mesh.hole_faces = {4};
   const Image image = draw(mesh, from_front(300, 300));
   EXPECT_FALSE(is_drawn(image, 150, 150));

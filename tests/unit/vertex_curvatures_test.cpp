@@ -7,6 +7,7 @@
 
 #include "fairness_samples.hpp"
 #include "support/meshes.hpp"
+#include "support/polygons.hpp"
 
 namespace surpass::test {
 namespace {
@@ -130,16 +131,8 @@ TEST(VertexCurvatures, WithoutNormalsThoseOfTheFacesServe) {
 }
 
 TEST(VertexCurvatures, OfAPlaneAreZero) {
-  Mesh mesh;
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 4; ++x) mesh.points.push_back({double(x), double(y), 0});
-  }
-  for (Index y = 0; y < 3; ++y) {
-    for (Index x = 0; x < 3; ++x) {
-      const Index a = 4 * y + x;
-      mesh.add_face(std::array{a, a + 1, a + 5, a + 4});
-    }
-  }
+  Mesh mesh = quad_grid(4, 4);
+  for (Point& p : mesh.points) p[2] = 0;
   mesh.points.push_back({9, 9, 9});  // isolated
   const auto found = vertex_curvatures(mesh);
   ASSERT_TRUE(found);
