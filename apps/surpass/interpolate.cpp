@@ -353,7 +353,7 @@ Result<SolveReport> Interpolate::solve(Mesh& mesh, std::vector<Point>& given,
   if (!solution) return tl::make_unexpected(solution.error());
   given = std::exchange(mesh.points, std::move(solution->points));
   mesh.channels = std::move(solution->channels);
-  std::erase_if(mesh.annotations, [](const auto& a) { return a.first == "refined"; });
+  mesh.forget("refined");
   record(options_.rules, mesh);
   return std::move(solution->report);
 }

@@ -1,7 +1,5 @@
 #include "rules_option.hpp"
 
-#include <surpass/interpolate.hpp>
-
 #include <sstream>
 
 #include <fmt/format.h>
@@ -139,13 +137,6 @@ void record(const Rules& rules, Mesh& mesh) {
   if (rules.boundary == Boundary::edge_and_corner) {
     mesh.tags.push_back(fmt::format("t {} 1/0/0 1", kTag));
   }
-}
-
-void forget_rules(Mesh& mesh) {
-  std::erase_if(mesh.annotations, [](const auto& a) {
-    return a.first == "scheme" || a.first == "boundary" || a.first == "weights" ||
-           a.first == "refined";
-  });
 }
 
 }  // namespace surpass::cli

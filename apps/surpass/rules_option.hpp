@@ -44,7 +44,4 @@ class RulesOption {
 /// Makes what the mesh records agree with the rules that it was made by.
 void record(const Rules& rules, Mesh& mesh);
 
-/// Takes away what says that the mesh is a control mesh.
-void forget_rules(Mesh& mesh);
-
 }  // namespace surpass::cli

@@ -150,10 +150,6 @@ struct Interpolated {
   SolveReport report;
 };
 
-/// Makes what the mesh records of its rules ("scheme", "boundary" and, unless they are averaging,
-/// "weights") agree with these, as control meshes have it.
-void annotate(Mesh& mesh, const Rules& rules);
-
 /// One-shot form of Interpolator.
 [[nodiscard]] Result<Interpolated> interpolate(const Mesh& mesh,
                                                const InterpolateOptions& options = {},

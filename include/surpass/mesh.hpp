@@ -109,6 +109,8 @@ struct Mesh {
   /// The value of an annotation, or "" where there is none.
   [[nodiscard]] std::string annotation(std::string_view key) const;
   void annotate(std::string_view key, std::string_view value);
+  /// Takes an annotation away, if there is one.
+  void forget(std::string_view key);
 
   bool operator==(const Mesh&) const = default;
 };

@@ -43,6 +43,13 @@ struct Rules {
 [[nodiscard]] Result<Boundary> boundary_named(std::string_view name);
 [[nodiscard]] Result<Weights> weights_named(std::string_view name);
 
+/// Makes what the mesh records of its rules ("scheme", "boundary" and, unless they are averaging,
+/// "weights") agree with these, as control meshes have it.
+void annotate(Mesh& mesh, const Rules& rules);
+
+/// Takes away what says that the mesh is a control mesh: its rules, and that it was refined once.
+void forget_rules(Mesh& mesh);
+
 /// Every scheme, in the order of the enumeration.
 [[nodiscard]] std::vector<Scheme> all_schemes();
 

@@ -303,13 +303,6 @@ double floored_tolerance(double tolerance, std::span<const double> values, doubl
   return std::max(tolerance, 4 * ulp / unit);
 }
 
-void annotate(Mesh& mesh, const Rules& rules) {
-  mesh.annotate("scheme", name_of(rules.scheme));
-  mesh.annotate("boundary", name_of(rules.boundary));
-  std::erase_if(mesh.annotations, [](const auto& a) { return a.first == "weights"; });
-  if (rules.weights != Weights{}) mesh.annotate("weights", name_of(rules.weights));
-}
-
 Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& options,
                                  const Context& context) {
   const auto solver = Interpolator::create(mesh, options, context);
@@ -319,7 +312,7 @@ Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& opt
   Interpolated result{mesh, std::move(solution->report)};
   result.control.points = std::move(solution->points);
   result.control.channels = std::move(solution->channels);
-  std::erase_if(result.control.annotations, [](const auto& a) { return a.first == "refined"; });
+  result.control.forget("refined");
   annotate(result.control, options.rules);
   return result;
 }

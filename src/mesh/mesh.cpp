@@ -21,6 +21,10 @@ void Mesh::annotate(std::string_view key, std::string_view value) {
   annotations.emplace_back(key, value);
 }
 
+void Mesh::forget(std::string_view key) {
+  std::erase_if(annotations, [key](const auto& annotation) { return annotation.first == key; });
+}
+
 bool all_triangles(const Mesh& mesh) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     if (mesh.face_offsets[f + 1] - mesh.face_offsets[f] != 3) return false;

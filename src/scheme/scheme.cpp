@@ -78,6 +78,17 @@ Result<Weights> weights_named(std::string_view name) {
               fmt::format("there are no weights \"{}\"; there are averaging and cosine", name));
 }
 
+void annotate(Mesh& mesh, const Rules& rules) {
+  mesh.annotate("scheme", name_of(rules.scheme));
+  mesh.annotate("boundary", name_of(rules.boundary));
+  mesh.forget("weights");
+  if (rules.weights != Weights{}) mesh.annotate("weights", name_of(rules.weights));
+}
+
+void forget_rules(Mesh& mesh) {
+  for (const char* key : {"scheme", "boundary", "weights", "refined"}) mesh.forget(key);
+}
+
 std::vector<Scheme> all_schemes() { return {kSchemes.begin(), kSchemes.end()}; }
 
 Scheme suggested_scheme(const Mesh& mesh) {
@@ -157,9 +168,7 @@ Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& co
   return steps.take(mesh, context, [&](RowSink& sink) {
     auto refined = scheme_of(rules.scheme).refinement(mesh, *topology, rules, context, sink);
     // It told how the mesh before was made from one that is given.
-    if (refined) {
-      std::erase_if(refined->annotations, [](const auto& a) { return a.first == "refined"; });
-    }
+    if (refined) refined->forget("refined");
     return refined;
   });
 }
@@ -195,10 +204,7 @@ void add_limit_normals(Mesh& mesh, const std::vector<Point>& normals) {
   std::erase_if(mesh.corner_channels, [](const CornerChannel& c) { return c.name == "normal"; });
   const auto values = flat(normals);
   mesh.channels.push_back({"normal", {"nx", "ny", "nz"}, {values.begin(), values.end()}});
-  std::erase_if(mesh.annotations, [](const auto& a) {
-    return a.first == "scheme" || a.first == "boundary" || a.first == "weights" ||
-           a.first == "refined";
-  });
+  forget_rules(mesh);
 }
 
 void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>& normals,
