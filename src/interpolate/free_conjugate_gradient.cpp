@@ -5,10 +5,31 @@
 namespace surpass {
 namespace {
 
-// y += factor * x.
-void add(const FreeSystem& system, double factor, std::span<const double> x, std::span<double> y) {
-  parallel::for_ranges(system.context, x.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) y[i] += factor * x[i];
+// Along the direction: the change, and the gradient by the direction's image. Back comes the
+// gradient's squared length. One pass over memory, as all that follows: the arrays are far larger
+// than any cache, and what is done with their numbers takes no time.
+double advance(const FreeSystem& system, double length, std::span<const double> direction,
+               std::span<const double> image, std::span<double> change,
+               std::span<double> gradient) {
+  return parallel::reduce(
+      system.context, change.size(), 0.0,
+      [&](std::size_t begin, std::size_t end) {
+        double squared = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          change[i] += length * direction[i];
+          gradient[i] += length * image[i];
+          squared += gradient[i] * gradient[i];
+        }
+        return squared;
+      },
+      [](double sum, double part) { return sum + part; });
+}
+
+// direction = share * direction - downhill.
+void turn(const FreeSystem& system, double share, std::span<const double> downhill,
+          std::span<double> direction) {
+  parallel::for_ranges(system.context, direction.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) direction[i] = share * direction[i] - downhill[i];
   });
 }
 
@@ -16,33 +37,27 @@ void add(const FreeSystem& system, double factor, std::span<const double> x, std
 
 FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
                                std::span<double> gradient, std::span<double> change) {
-  const auto keep_constraints = [&] {
-    if (system.constraints != nullptr) system.constraints->clear(gradient);
-  };
-  keep_constraints();
+  if (system.constraints != nullptr) system.constraints->clear(gradient);
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
   const FreePreconditioner preconditioner(system);
   std::vector<double> direction(system.size());
   std::vector<double> work(system.size());  // the direction's image, or the preconditioned gradient
-  preconditioner.apply(gradient, work);
-  for (std::size_t i = 0; i < work.size(); ++i) direction[i] = -work[i];
-  double rho = system.dot(gradient, work);
+  double rho = preconditioner.apply(gradient, work);
+  turn(system, 0, work, direction);
   while (rho > 0 && progress.goes_on()) {
     system.product(direction, work);
     const double curvature = system.dot(direction, work);
     if (!(curvature > 0)) break;  // nothing is left but what the energy does not see
-    add(system, rho / curvature, direction, change);
-    add(system, rho / curvature, work, gradient);
-    keep_constraints();
-    progress.note(gradient);
+    double squared = advance(system, rho / curvature, direction, work, change, gradient);
+    if (system.constraints != nullptr) {
+      system.constraints->clear(gradient);
+      squared = system.dot(gradient, gradient);
+    }
+    progress.note(squared);
     if (progress.reached()) break;
-    preconditioner.apply(gradient, work);
-    const double next = system.dot(gradient, work);
-    const double share = next / rho;
-    parallel::for_ranges(system.context, work.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) direction[i] = share * direction[i] - work[i];
-    });
+    const double next = preconditioner.apply(gradient, work);
+    turn(system, next / rho, work, direction);
     rho = next;
   }
   return std::move(progress).outcome();

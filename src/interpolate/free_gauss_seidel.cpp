@@ -110,7 +110,7 @@ FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout, co
   const Sparse matrix = assembly.matrix();
   while (progress.goes_on()) {
     sweep(matrix, system.width / assembly.parts(), gradient, change);
-    progress.note(gradient);
+    progress.note(system.dot(gradient, gradient));
   }
   system.elimination.meet(system.context, system.width, {}, change);
   return std::move(progress).outcome();

@@ -9,8 +9,8 @@ class FreePreconditioner {
  public:
   explicit FreePreconditioner(const FreeSystem& system);
 
-  /// z = the inverse blocks times r.
-  void apply(std::span<const double> r, std::span<double> z) const;
+  /// z = the inverse blocks times r; back comes r.z.
+  double apply(std::span<const double> r, std::span<double> z) const;
 
   /// 1, or 6: as PatchEnergy::block_size().
   [[nodiscard]] std::size_t block_size() const { return block_; }

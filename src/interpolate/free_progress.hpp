@@ -12,7 +12,7 @@ class FreeProgress {
  public:
   /// `gradient`: at the start; what follows is relative to its length.
   FreeProgress(const FreeSystem& system, const StopAt& stop, std::span<const double> gradient)
-      : system_(system), stop_(stop), start_(length(gradient)) {}
+      : system_(system), stop_(stop), start_(std::sqrt(system.dot(gradient, gradient))) {}
 
   /// Whether another iteration is to follow.
   [[nodiscard]] bool goes_on() {
@@ -21,9 +21,9 @@ class FreeProgress {
     return !outcome_.cancelled;
   }
 
-  /// An iteration has led to this gradient.
-  void note(std::span<const double> gradient) {
-    const double residual = length(gradient) / start_;
+  /// An iteration has led to a gradient of this squared length.
+  void note(double squared) {
+    const double residual = std::sqrt(squared) / start_;
     ++outcome_.iterations;
     outcome_.residuals.push_back(residual);
     reached_ = residual <= stop_.tolerance;
@@ -38,10 +38,6 @@ class FreeProgress {
   [[nodiscard]] FreeOutcome outcome() && { return std::move(outcome_); }
 
  private:
-  [[nodiscard]] double length(std::span<const double> gradient) const {
-    return std::sqrt(system_.dot(gradient, gradient));
-  }
-
   const FreeSystem& system_;
   StopAt stop_;
   double start_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -74,7 +75,7 @@ class PatchLayout {
   /// chunk's points and adds to them. y: #control points by width.
   template <class Work>
   void add_up(const Context& context, std::size_t width, std::span<double> y, Work&& work) const {
-    std::vector<double> shared(places_.size() * width);
+    const auto shared = std::make_unique_for_overwrite<double[]>(places_.size() * width);
     for_chunks(context, [&](const Chunk& chunk, std::size_t number) {
       std::vector<double> values(chunk.points.size() * width, 0.0);
       work(chunk, std::span(values));
@@ -82,14 +83,14 @@ class PatchLayout {
         copy_numbers(values.data() + k * width, width, y.data() + chunk.points[k] * width);
       }
       std::copy(values.begin() + static_cast<std::ptrdiff_t>(chunk.own * width), values.end(),
-                shared.begin() + static_cast<std::ptrdiff_t>(shared_[number] * width));
+                shared.get() + shared_[number] * width);
     });
     parallel::for_ranges(context, several_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         double* to = y.data() + several_[i] * width;
         std::fill_n(to, width, 0.0);
         for (Index k = occurs_[i]; k < occurs_[i + 1]; ++k) {
-          const double* from = shared.data() + std::size_t{places_[k]} * width;
+          const double* from = shared.get() + std::size_t{places_[k]} * width;
           for (std::size_t c = 0; c < width; ++c) to[c] += from[c];
         }
       }
