@@ -28,7 +28,7 @@ inline void copy_numbers(const double* from, std::size_t width, double* to) {
 class PatchLayout {
  public:
   /// Patches a chunk.
-  static constexpr std::size_t kPatches = 512;
+  static constexpr std::size_t kPatches = 2048;
 
   /// `order`: of the patches; chunks are cut from it.
   PatchLayout(PatchRows rows, std::vector<Index> order, Index control_points);
