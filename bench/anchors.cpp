@@ -43,12 +43,14 @@ Verdict judge_read(const Workload&, bool complete) { return {.difference = compl
 
 }  // namespace
 
+void add_triad(Harness& harness, Index side, const char* step) {
+  harness.add({.step = step, .tool = kTool, .counted = "one triad pass over 72 bytes a vertex"},
+              side, prepare_triad,
+              [](const Workload&, double last) { return Verdict{.difference = last - 7}; });
+}
+
 void add_anchors(Harness& harness, Index side) {
-  for (const char* step : {"sweep", "solve again"}) {
-    harness.add({.step = step, .tool = kTool, .counted = "one triad pass over 72 bytes a vertex"},
-                side, prepare_triad,
-                [](const Workload&, double last) { return Verdict{.difference = last - 7}; });
-  }
+  for (const char* step : {"sweep", "solve again"}) add_triad(harness, side, step);
   harness.add(
       {.step = "read OBJ",
        .tool = kTool,

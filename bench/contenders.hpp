@@ -6,7 +6,9 @@
 namespace surpass::bench {
 
 void add_anchors(Harness& harness, Index side);
+void add_triad(Harness& harness, Index side, const char* step);
 void add_surpass(Harness& harness, Index side);
+void add_solve_again(Harness& harness, Index side);
 void add_command(Harness& harness, Index side);
 void add_similarity(Harness& harness, Index side);
 void add_schemes(Harness& harness, Index side);

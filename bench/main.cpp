@@ -34,6 +34,8 @@ int run(int argc, char** argv) {
       add(harness, side);
     }
   }
+  add_triad(harness, kLargestSide, "solve again");
+  add_solve_again(harness, kLargestSide);
   for (const auto side : kGrowingSides) add_similarity(harness, side);
   harness.schedule();
   benchmark::Initialize(&argc, argv);

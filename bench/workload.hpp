@@ -16,6 +16,9 @@ namespace surpass::bench {
 /// Vertices a side of the square grids that are measured: 16 thousand, 250 thousand, a million.
 inline constexpr Index kSides[] = {128, 500, 1000};
 
+/// Four million, for the solve alone.
+inline constexpr Index kLargestSide = 2000;
+
 /// From a hundred to a million, for what is to show how it grows.
 inline constexpr Index kGrowingSides[] = {10, 32, 100, 316, 1000};
 
