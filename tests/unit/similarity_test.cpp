@@ -450,9 +450,8 @@ TEST(Similarity, ThousandsOfFacesAroundAVertexAreInterpolated) {
   cone.points.push_back({0, 0, 1});
   for (Index i = 0; i < kMany; ++i) cone.add_face(std::array{i, (i + 1) % kMany, kMany});
   const Mesh closed = test::bipyramid(kMany);
-  const Mesh polygons = test::prism(kMany);
   for (const Scheme scheme : {Scheme::catmull_clark, Scheme::loop, Scheme::doo_sabin}) {
-    for (const Mesh& mesh : {disc, cone, closed, polygons}) {
+    for (const Mesh& mesh : {disc, cone, closed}) {
       if (scheme == Scheme::loop && mesh.face(0).size() != 3) continue;
       for (const Similarity form :
            {Similarity::vectors, Similarity::directions, Similarity::fair}) {
@@ -463,7 +462,7 @@ TEST(Similarity, ThousandsOfFacesAroundAVertexAreInterpolated) {
         const auto found = interpolate_similar(mesh, options);
         ASSERT_TRUE(found) << describe(found.error());
         EXPECT_LE(certify(found->control, mesh, options.rules)->max, 1e-12);
-        EXPECT_LT(bounding_box(found->control.points).side(), 3.5) << "and not thrown about";
+        EXPECT_LT(bounding_box(found->control.points).side(), 3) << "and not thrown about";
       }
     }
   }
@@ -496,7 +495,7 @@ TEST(Similarity, RowsBesideManyFacesAreThoseOfTheWholeMesh) {
     const auto rows_at = [&](Index n) {
       return weights_of_rows(refine(test::bipyramid(n), rules, 1).value(), rules);
     };
-    const auto is_local = [](const std::vector<double>& row) { return row.size() < kMost; };
+    const auto is_local = [](const std::vector<double>& row) { return row.size() < kMost / 4; };
     const auto is_in = [](const std::vector<double>& row, const auto& rows) {
       return std::any_of(rows.begin(), rows.end(), [&](const std::vector<double>& other) {
         return std::equal(row.begin(), row.end(), other.begin(), other.end(),
@@ -529,10 +528,10 @@ TEST(Similarity, OnOpenLoopSurfacesUnderHoppeInterpolates) {
         EXPECT_LE(certify(found->control, mesh.points, options.rules)->max, 1e-12);
       }
     }
-    SimilarityOptions options;
-    options.rules = {Scheme::loop, Boundary::hoppe};
-    expect_dense_solution(mesh, options, 1e-10);
   }
+  SimilarityOptions options;
+  options.rules = {Scheme::loop, Boundary::hoppe};
+  expect_dense_solution(jittered(test::triangle_grid(4, 4)), options, 1e-10);
 }
 
 TEST(Similarity, EmptyMeshesAndIsolatedVerticesAreTheirOwn) {
