@@ -33,7 +33,8 @@ class Check : public Command {
     options.examples(
         "Mending options apply to GIVEN; repeat those that `interpolate` was given.\n"
         "Control meshes of --method similarity and fair have the given vertices first; a comment\n"
-        "in the file (refined=1) tells so.\n"
+        "in the file (refined=1) tells so. Under doo-sabin they have a face for each, which is\n"
+        "found by the faces of GIVEN.\n"
         "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n"
         "Under nonstationary-loop CONTROL is the given mesh itself, and the surface that it makes\n"
         "is evaluated; or it is a surface that subdivide or interpolate wrote, whose first "
@@ -65,7 +66,7 @@ class Check : public Command {
     if (const auto possible = check_oracle(oracle_, rules); !possible) return possible;
     if (rules_.nonstationary()) return judge_nonstationary(control->mesh, given->mesh, session);
     if (const auto same = check_counts(control->mesh, given->mesh); !same) return same;
-    return judge(control->mesh, given->mesh.points, rules, session);
+    return judge(control->mesh, given->mesh, rules, session);
   }
 
  private:
@@ -83,10 +84,11 @@ class Check : public Command {
                     control_path_, control.vertex_count(), given_path_, given.vertex_count()));
   }
 
-  Result<void> judge(const Mesh& control, std::span<const Point> given, const Rules& rules,
+  Result<void> judge(const Mesh& control, const Mesh& mesh, const Rules& rules,
                      Session& session) const {
+    const std::span<const Point> given = mesh.points;
     const Result<Certificate> own =
-        session.timed("verify", [&] { return certify(control, given, rules, session.context); });
+        session.timed("verify", [&] { return certify(control, mesh, rules, session.context); });
     if (!own) return tl::make_unexpected(own.error());
     session.report["error"] = certificate_json(*own);
     std::string text = line(*own);

@@ -261,10 +261,13 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
   mesh = solver_->refined();
   mesh.points = std::move(solution->points);
   mesh.channels = std::move(solution->channels);
-  solution->report.solve.notes.push_back(fmt::format(
-      "the control mesh is the given mesh refined once: {} vertices, of which the first {} are "
-      "those of the given mesh",
-      mesh.vertex_count(), given.size()));
+  const std::string where =
+      options_.rules.scheme == Scheme::doo_sabin
+          ? std::string("with a face for each vertex of the given mesh inside")
+          : fmt::format("of which the first {} are those of the given mesh", given.size());
+  solution->report.solve.notes.push_back(
+      fmt::format("the control mesh is the given mesh refined once: {} vertices, {}",
+                  mesh.vertex_count(), where));
   return std::move(solution->report.solve);
 }
 

@@ -224,7 +224,7 @@ Result<val> Core::show(const Wishes& wishes, const Context& context) {
   auto found = find_control(given_, wishes, context);
   if (!found) return tl::make_unexpected(found.error());
   const double solved = emscripten_get_now();
-  const auto certificate = certify(found->control, given_.points, rules, context);
+  const auto certificate = certify(found->control, given_, rules, context);
   if (!certificate) return tl::make_unexpected(certificate.error());
   const double verified = emscripten_get_now();
 

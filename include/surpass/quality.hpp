@@ -27,6 +27,13 @@ struct Certificate {
 [[nodiscard]] Result<Certificate> certify(const Mesh& control, std::span<const Point> given,
                                           const Rules& rules, const Context& context = {});
 
+/// The same, for any control mesh. On a refined mesh of Doo-Sabin surfaces no vertex stands for a
+/// given one, and the function above fails; the faces of `given`, its creases and corners tell
+/// which face each given vertex turned into (or which edge or vertex, where it has none), and these
+/// have the limit points. Fails if the faces of `control` are not those that `given` refines to.
+[[nodiscard]] Result<Certificate> certify(const Mesh& control, const Mesh& given,
+                                          const Rules& rules, const Context& context = {});
+
 /// Whether a control mesh can be compared with so many given points, and how many of its vertices
 /// are not theirs: as certify() has it.
 [[nodiscard]] Result<void> check_vertex_counts(const Mesh& control, std::size_t given);

@@ -103,7 +103,7 @@ struct SimilarityReport {
 };
 
 struct SimilaritySolution {
-  std::vector<Point> points;      ///< of the refined mesh, the given vertices' first
+  std::vector<Point> points;  ///< of the refined mesh, the given vertices' first but on Doo-Sabin
   std::vector<Channel> channels;  ///< the given channels, interpolated along
   SimilarityReport report;
   /// By solve_required, #given: what the limits of the given vertices are to be. The given points,
@@ -119,8 +119,9 @@ struct SimilaritySolution {
 ///
 /// The limit point of every given vertex is a weighted mean of control points, with one among them
 /// that is in no other vertex's mean. It is expressed by the others, so that whatever these are the
-/// surface interpolates, to rounding: there is no mesh that cannot be interpolated, and no
-/// iteration that must converge. Movable, immutable after creation; `solve` may be called from
+/// surface interpolates, to rounding: there is no mesh that cannot be interpolated, but for
+/// neighbouring vertices of two faces each on Doo-Sabin surfaces, and no iteration that must
+/// converge. Movable, immutable after creation; `solve` may be called from
 /// several threads.
 ///
 /// Sources: Lai and Cheng, Similarity based interpolation using Catmull-Clark subdivision surfaces,
@@ -130,9 +131,10 @@ struct SimilaritySolution {
 /// Catmull-Clark surfaces, 1993, with exact interpolation.
 class SimilarityInterpolator {
  public:
-  /// Fails where Topology::build does, where the scheme does not take such faces or has no such
-  /// derivatives yet, on numbers out of range, or if the refined mesh would be too large. Cost:
-  /// about a refinement, and a hundred bytes a face of the refined mesh.
+  /// Fails where Topology::build does, where the scheme does not take such faces or creases,
+  /// with `singular` where limits share all their control points, on numbers out of range, or if
+  /// the refined mesh would be too large. Cost: about a refinement, and a hundred bytes a face of
+  /// the refined mesh.
   [[nodiscard]] static Result<SimilarityInterpolator> create(const Mesh& mesh,
                                                              const SimilarityOptions& options = {},
                                                              const Context& context = {});
@@ -143,7 +145,8 @@ class SimilarityInterpolator {
   ~SimilarityInterpolator();
 
   /// The topology of the control mesh: the given mesh refined once, without positions and vertex
-  /// channels, annotated with its rules and with "refined" = "1". The given vertices come first.
+  /// channels, annotated with its rules and with "refined" = "1". The given vertices come first;
+  /// on Doo-Sabin surfaces faces stand for them, see certify().
   [[nodiscard]] const Mesh& refined() const;
 
   /// Control points whose limit surface goes through these points (#V of the given mesh). Vertex
@@ -164,8 +167,8 @@ class SimilarityInterpolator {
   /// met exactly, as the given vertices are, however far the iteration comes; what follows from the
   /// others is dropped and reported. `reference` may be empty: the given points.
   /// Errors: `invalid_argument` for a requirement that says nothing possible, `singular` for those
-  /// that contradict each other or the given vertices, both naming them; `invalid_argument` with
-  /// the solver gauss_seidel. Needs a scheme that LimitSurface evaluates.
+  /// that contradict each other or the given vertices, both naming them. Needs a scheme that
+  /// LimitSurface evaluates.
   /// Method: what the equations forbid is projected out of the gradient in each iteration, by a
   /// sparse Cholesky decomposition of their products; another one finds those that depend on the
   /// rest. Lai and Cheng 2006, section 3, choose a vertex to eliminate for each requirement.

@@ -1,6 +1,7 @@
 #include <Eigen/SparseCore>
 
 #include "interpolate/free_progress.hpp"
+#include "interpolate/linear_constraints.hpp"
 
 namespace surpass {
 namespace {
@@ -100,16 +101,57 @@ void sweep(const Sparse& matrix, std::size_t width, std::span<double> gradient,
   }
 }
 
+// y = matrix x.
+void apply(const Sparse& matrix, std::size_t width, std::span<const double> x,
+           std::span<double> y) {
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    double* to = &y[static_cast<std::size_t>(i) * width];
+    std::fill_n(to, width, 0.0);
+    for (Sparse::InnerIterator k(matrix, i); k; ++k) {
+      const double* from = &x[static_cast<std::size_t>(k.col()) * width];
+      for (std::size_t c = 0; c < width; ++c) to[c] += k.value() * from[c];
+    }
+  }
+}
+
+// A sweep leaves the constraints. So what it would do about the gradient's part along them is
+// projected onto them, a direction in which the energy falls (the lower triangle of a positive
+// matrix, and the projection of its transpose on the other side), and followed to where the energy
+// is least. False if it leads nowhere.
+bool constrained_sweep(const FreeSystem& system, const Sparse& matrix, std::size_t width,
+                       std::span<double> gradient, std::span<double> change) {
+  std::vector<double> direction(gradient.size(), 0.0);
+  std::vector<double> image(gradient.begin(), gradient.end());
+  sweep(matrix, width, image, direction);
+  system.constraints->keep(direction);
+  apply(matrix, width, direction, image);
+  const double curvature = system.dot(direction, image);
+  if (!(curvature > 0)) return false;
+  const double step = -system.dot(direction, gradient) / curvature;
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    change[i] += step * direction[i];
+    gradient[i] += step * image[i];
+  }
+  system.constraints->clear(gradient);
+  return true;
+}
+
 }  // namespace
 
 FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout, const StopAt& stop,
                          std::span<double> gradient, std::span<double> change) {
+  if (system.constraints != nullptr) system.constraints->clear(gradient);
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
   const Assembly assembly(system, layout);
   const Sparse matrix = assembly.matrix();
+  const std::size_t width = system.width / assembly.parts();
   while (progress.goes_on()) {
-    sweep(matrix, system.width / assembly.parts(), gradient, change);
+    if (system.constraints == nullptr) {
+      sweep(matrix, width, gradient, change);
+    } else if (!constrained_sweep(system, matrix, width, gradient, change)) {
+      break;  // nothing is left but what the energy does not see
+    }
     progress.note(system.dot(gradient, gradient));
   }
   system.elimination.meet(system.context, system.width, {}, change);

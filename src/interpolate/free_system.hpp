@@ -63,7 +63,8 @@ struct FreeOutcome {
                                              std::span<double> gradient, std::span<double> change);
 
 /// The same by Gauss and Seidel's sweeps over the assembled matrix, on one thread (Lai and Cheng
-/// 2006, section 2.4).
+/// 2006, section 2.4). With constraints each sweep is projected onto them, and followed to where
+/// the energy is least along it (ours).
 [[nodiscard]] FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout,
                                        const StopAt& stop, std::span<double> gradient,
                                        std::span<double> change);

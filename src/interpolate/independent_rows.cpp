@@ -47,8 +47,9 @@ DependentRow expressed(const Rows& rows, int row, const std::vector<int>& indepe
     rest -= basis.transpose() * more;
   }
   dependent.distance = rest.norm();
+  const double rounding = dependent.distance > kDependent ? 0 : kNoShare;
   for (Eigen::Index k = 0; k < shares.size(); ++k) {
-    if (std::abs(shares[k]) > kNoShare) {
+    if (std::abs(shares[k]) > rounding) {
       dependent.shares.emplace_back(independent[static_cast<std::size_t>(k)], shares[k]);
     }
   }
@@ -61,6 +62,7 @@ void prefer_earlier(IndependentRows& found) {
   constexpr double kSound = 1e-3;  // as a divisor
   for (std::size_t at = 0; at < found.dependent.size(); ++at) {
     DependentRow& d = found.dependent[at];
+    if (d.distance > kDependent) continue;  // it is kept anyway
     std::size_t latest = d.shares.size();
     for (std::size_t k = 0; k < d.shares.size(); ++k) {
       if (d.shares[k].first < d.row || std::abs(d.shares[k].second) < kSound) continue;
@@ -90,6 +92,21 @@ void prefer_earlier(IndependentRows& found) {
             [](const DependentRow& a, const DependentRow& b) { return a.row < b.row; });
 }
 
+// Those that are nearly dependent, by the rows that are now kept: their small difference would not
+// survive that of a row from its sum.
+void express_again(const Rows& rows, Factor& factor, IndependentRows& found) {
+  const auto near = [](const DependentRow& d) { return d.distance > kDependent; };
+  if (found.independent.empty() ||
+      std::none_of(found.dependent.begin(), found.dependent.end(), near)) {
+    return;
+  }
+  const Rows basis = picked(rows, found.independent);
+  factor.compute(products_of(basis));
+  for (DependentRow& d : found.dependent) {
+    if (near(d)) d = expressed(rows, d.row, found.independent, basis, factor);
+  }
+}
+
 }  // namespace
 
 IndependentRows independent_rows(const Rows& rows) {
@@ -115,6 +132,7 @@ IndependentRows independent_rows(const Rows& rows) {
     found.dependent.push_back(expressed(rows, row, found.independent, basis, factor));
   }
   prefer_earlier(found);
+  express_again(rows, factor, found);
   return found;
 }
 

@@ -15,13 +15,17 @@ struct DependentRow {
   std::vector<std::pair<int, double>> shares;  ///< of independent rows, what rounding is left out
 };
 
+/// Of this distance on a row is nearly dependent, and not dependent.
+constexpr double kDependent = 1e-9;
+
 struct IndependentRows {
   std::vector<int> independent;         ///< ascending
   std::vector<DependentRow> dependent;  ///< ascending
 };
 
-/// Rows have length 1, or 0. Those are taken for dependent that lie within about 1e-6 of the span
-/// of the independent ones; how close is told to 1e-13 or so.
+/// Rows have length 1, or 0. Those are listed as dependent that lie within about 1e-6 of the span
+/// of the independent ones; how close is told to 1e-13 or so. Where that is more than kDependent,
+/// all shares are there.
 /// Method: the pivots of a Cholesky decomposition of the rows' products are the squared distances
 /// from the span of the rows before; it stays as sparse as the mesh, which a QR decomposition does
 /// not (on 3000 rows that took minutes). The few rows that look dependent are then expressed by the

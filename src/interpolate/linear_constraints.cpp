@@ -1,5 +1,6 @@
 #include "interpolate/linear_constraints.hpp"
 
+#include <map>
 #include <set>
 
 #include <Eigen/SparseCholesky>
@@ -14,8 +15,7 @@ using Vector = Eigen::VectorXd;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Of an equation's length. What is left of it by free points, or by other equations, is rounding if
-// it is shorter.
+// Of an equation's length. What is left of it by free points is rounding if it is shorter.
 constexpr double kNothing = 1e-9;
 // In units of the box: equations that are dropped must hold to this.
 constexpr double kHolds = 1e-10;
@@ -150,6 +150,48 @@ double value_in_units(const RequirementRow& row, const Requirement& r,
   return (row.value - origin) * units.scale;
 }
 
+// Rows that are nearly dependent. Of each that is kept only its own part is; of rows that have the
+// same own part one is kept, and the others are sums of it and of those that it is expressed by.
+struct NearRows {
+  std::vector<DependentRow> kept;
+  std::vector<DependentRow> dropped;
+};
+
+NearRows nearly_dependent(const Rows& rows, const IndependentRows& found) {
+  std::vector<const DependentRow*> near;
+  Triplets own;
+  for (const DependentRow& d : found.dependent) {
+    if (!(d.distance > kDependent)) continue;
+    const int at = number(near.size());
+    near.push_back(&d);
+    std::map<Eigen::Index, double> rest;
+    const auto add = [&](int row, double factor) {
+      for (Rows::InnerIterator k(rows, row); k; ++k) rest[k.col()] += factor * k.value();
+    };
+    add(d.row, 1 / d.distance);
+    for (const auto& [other, share] : d.shares) add(other, -share / d.distance);
+    for (const auto& [column, w] : rest) own.emplace_back(at, static_cast<int>(column), w);
+  }
+  Rows parts(static_cast<Eigen::Index>(near.size()), rows.cols());
+  parts.setFromTriplets(own.begin(), own.end());
+  const IndependentRows among = independent_rows(parts);
+  NearRows result;
+  for (const int k : among.independent) result.kept.push_back(*near[static_cast<std::size_t>(k)]);
+  // A millionth of a millionth of the row's length is left of it: nothing.
+  for (const DependentRow& again : among.dependent) {
+    const DependentRow& d = *near[static_cast<std::size_t>(again.row)];
+    std::map<int, double> shares(d.shares.begin(), d.shares.end());
+    for (const auto& [k, share] : again.shares) {
+      const DependentRow& other = *near[static_cast<std::size_t>(k)];
+      const double factor = share * d.distance / other.distance;
+      shares[other.row] += factor;
+      for (const auto& [row, weight] : other.shares) shares[row] -= factor * weight;
+    }
+    result.dropped.push_back({d.row, again.distance * d.distance, {shares.begin(), shares.end()}});
+  }
+  return result;
+}
+
 }  // namespace
 
 Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equations,
@@ -183,40 +225,48 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
   const Vector wanted = factor.cwiseProduct(value - at_start);
   const IndependentRows found = independent_rows(scaled);
   if (system.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  for (const DependentRow& d : found.dependent) {
+  auto near = nearly_dependent(scaled, found);
+  const auto requirement_of = [&](int row) {
+    return equations.rows[static_cast<std::size_t>(row)].requirement;
+  };
+  const auto check = [&](const DependentRow& d) -> Result<void> {
     double rest = wanted[d.row];
     std::set<std::size_t> others;
     for (const auto& [other, share] : d.shares) {
       rest -= share * wanted[other];
       constexpr double kMatters = 1e-6;
-      if (std::abs(share) > kMatters) {
-        others.insert(equations.rows[static_cast<std::size_t>(other)].requirement);
-      }
+      if (std::abs(share) > kMatters) others.insert(requirement_of(other));
     }
-    if (factor[d.row] == 0) continue;
-    const std::size_t last = equations.rows[static_cast<std::size_t>(d.row)].requirement;
-    if (d.distance > kNothing) {
-      others.insert(last);
-      return fail(ErrorCode::singular,
-                  fmt::format("requirements are too nearly dependent to be met together: {}",
-                              named(others, requirements)),
-                  place_of(requirements[last]));
-    }
-    if (!(std::abs(rest) <= kHolds)) {
-      return contradiction(std::move(others), last, std::abs(rest), requirements);
-    }
+    if (factor[d.row] == 0 || std::abs(rest) <= kHolds) return {};
+    return contradiction(std::move(others), requirement_of(d.row), std::abs(rest), requirements);
+  };
+  for (const DependentRow& d : found.dependent) {
+    if (d.distance > kDependent) continue;
+    if (auto ok = check(d); !ok) return tl::make_unexpected(ok.error());
+  }
+  for (const DependentRow& d : near.dropped) {
+    if (auto ok = check(d); !ok) return tl::make_unexpected(ok.error());
   }
   auto contents = std::make_unique<Contents>();
   contents->elimination = &elimination;
   contents->redundant.assign(requirements.size(), 0);
   for (const RequirementRow& row : equations.rows) contents->redundant[row.requirement] = 1;
-  const auto kept = static_cast<Eigen::Index>(found.independent.size());
+  const auto kept = static_cast<Eigen::Index>(found.independent.size() + near.kept.size());
   Rows pick(kept, count);
   Triplets picked;
-  for (Eigen::Index k = 0; k < kept; ++k) {
-    const int row = found.independent[static_cast<std::size_t>(k)];
-    picked.emplace_back(number(static_cast<std::size_t>(k)), row, factor[row]);
-    contents->redundant[equations.rows[static_cast<std::size_t>(row)].requirement] = 0;
+  int place = 0;
+  for (const int row : found.independent) {
+    picked.emplace_back(place++, row, factor[row]);
+    contents->redundant[requirement_of(row)] = 0;
+  }
+  // What a nearly dependent row has of its own takes its place, at full length.
+  for (const DependentRow& d : near.kept) {
+    picked.emplace_back(place, d.row, factor[d.row] / d.distance);
+    for (const auto& [other, share] : d.shares) {
+      picked.emplace_back(place, other, -share / d.distance * factor[other]);
+    }
+    ++place;
+    contents->redundant[requirement_of(d.row)] = 0;
   }
   pick.setFromTriplets(picked.begin(), picked.end());
   contents->all = pick * rows.all;
@@ -237,6 +287,12 @@ void LinearConstraints::clear(std::span<double> gradient) const {
   Eigen::Map<Vector> g(gradient.data(), static_cast<Eigen::Index>(gradient.size()));
   const Vector along = contents_->downward.transpose() * g;
   g -= contents_->free.transpose() * contents_->multipliers(along);
+}
+
+void LinearConstraints::keep(std::span<double> change) const {
+  Eigen::Map<Vector> x(change.data(), static_cast<Eigen::Index>(change.size()));
+  const Vector altered = contents_->free * x;
+  x -= contents_->downward * contents_->multipliers(altered);
 }
 
 void LinearConstraints::meet(const Context& context, std::span<double> x, bool in_units) const {

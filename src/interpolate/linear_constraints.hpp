@@ -22,7 +22,8 @@ class LinearConstraints {
   };
 
   /// Fails with `singular` if equations contradict each other or the given vertices, naming the
-  /// requirements, or are too nearly dependent; with `cancelled`. `targets` are those of the given
+  /// requirements; with `cancelled`. Of those that nearly depend on others only what they have of
+  /// their own is solved for, at full length. `targets` are those of the given
   /// vertices in the units, #given by 3. Cost: two sparse Cholesky decompositions of the equations'
   /// products. The elimination must outlive it.
   static Result<LinearConstraints> build(const RequirementRows& equations,
@@ -38,6 +39,10 @@ class LinearConstraints {
   /// Takes from a gradient what the equations forbid to follow: the preconditioned rest changes
   /// none of them.
   void clear(std::span<double> gradient) const;
+
+  /// Takes from a change of the free points, the least by the preconditioner, what alters the
+  /// equations; the transpose of clear().
+  void keep(std::span<double> change) const;
 
   /// The least change, by the preconditioner, after which the equations hold; the limits of the
   /// given vertices stay. `in_units`: whether x is in the units of the solve.

@@ -1,16 +1,17 @@
 // An order of the patches in which those that are near each other on the surface come together.
 #pragma once
 
-#include <surpass/topology.hpp>
-
-#include <span>
+#include <cstddef>
 #include <vector>
+
+#include "scheme/patch_rows.hpp"
 
 namespace surpass {
 
-/// The patches (numbers of the sampled faces, #F; empty: all) in groups of `size` that grow around
-/// a face each, over its neighbours and theirs, as far as these are still free. O(#faces).
+/// The patches of `rows`, built with `sampled`, in groups of `size` that grow around a patch each,
+/// over its neighbours and theirs, as far as these are still free. O(#faces).
 [[nodiscard]] std::vector<Index> patches_by_neighbourhood(const Topology& topology,
+                                                          const PatchRows& rows,
                                                           std::span<const unsigned char> sampled,
                                                           std::size_t size);
 

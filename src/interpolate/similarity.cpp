@@ -396,10 +396,6 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   if (auto ok = check_input(prepared, reference, points); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  if (prepared.options.solver == SimilaritySolver::gauss_seidel) {
-    return fail(ErrorCode::invalid_argument,
-                "requirements need the solver conjugate gradients; gauss-seidel cannot keep them");
-  }
   const Rules& rules = prepared.options.rules;
   Mesh given = prepared.given;
   given.points.assign(points.begin(), points.end());

@@ -152,17 +152,16 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   const Index control_points = refined->mesh.vertex_count();
   const auto topology = Topology::build(refined->mesh);
   if (!topology) return tl::make_unexpected(topology.error());
-  auto limits =
-      scheme.given_limits(refined->mesh, *topology, options.rules, mesh.vertex_count(), context);
+  auto limits = scheme.given_limits(refined->mesh, *topology, options.rules, mesh, context);
   if (!limits) return tl::make_unexpected(limits.error());
   auto elimination = Elimination::build(std::move(*limits), control_points, context);
   if (!elimination) return tl::make_unexpected(elimination.error());
   auto rows = PatchRows::build(refined->mesh, *topology, options.rules, level_of(options.samples),
                                refined->sampled, context, Sides::shared);
   if (!rows) return tl::make_unexpected(rows.error());
-  auto layout = std::make_unique<const PatchLayout>(
-      std::move(*rows),
-      patches_by_neighbourhood(*topology, refined->sampled, PatchLayout::kPatches), control_points);
+  auto order = patches_by_neighbourhood(*topology, *rows, refined->sampled, PatchLayout::kPatches);
+  auto layout =
+      std::make_unique<const PatchLayout>(std::move(*rows), std::move(order), control_points);
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
   auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
   refined->mesh.points = {};

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "scheme/subdivision_scheme.hpp"
+
 namespace surpass {
 
 Result<void> check_vertex_counts(const Mesh& control, std::size_t given) {
@@ -51,9 +53,30 @@ Result<Certificate> certify(const Mesh& control, std::span<const Point> given, c
   if (auto ok = check_vertex_counts(control, given.size()); !ok) {
     return tl::make_unexpected(ok.error());
   }
+  if (control.points.size() != given.size() && scheme_of(rules.scheme).finds_given_by_faces()) {
+    return fail(ErrorCode::mismatch,
+                fmt::format("where the given vertices are on a refined mesh of {} surfaces, only "
+                            "the faces of the given mesh tell",
+                            scheme_of(rules.scheme).title()));
+  }
   const auto limit = limit_positions(control, rules, context);
   if (!limit) return tl::make_unexpected(limit.error());
   return compare_points(std::span(*limit).first(given.size()), given, "surpass");
+}
+
+Result<Certificate> certify(const Mesh& control, const Mesh& given, const Rules& rules,
+                            const Context& context) {
+  const SubdivisionScheme& scheme = scheme_of(rules.scheme);
+  const bool by_faces = control.annotation("refined") == "1" && scheme.finds_given_by_faces();
+  if (!by_faces) return certify(control, given.points, rules, context);
+  const auto topology = Topology::build(control);
+  if (!topology) return tl::make_unexpected(topology.error());
+  if (auto ok = require_suitable(scheme, *topology, rules); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  const auto limits = scheme.given_limits(control, *topology, rules, given, context);
+  if (!limits) return tl::make_unexpected(limits.error());
+  return compare_points(limits->apply(context, control.points), given.points, "surpass");
 }
 
 }  // namespace surpass

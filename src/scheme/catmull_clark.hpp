@@ -28,10 +28,11 @@ class CatmullClark final : public SubdivisionScheme {
       const Context& context) const override;
   [[nodiscard]] bool makes_corners_faces() const override { return true; }
   [[nodiscard]] Result<SparseRows> given_limits(const Mesh& refined, const Topology& topology,
-                                                const Rules& rules, Index given,
+                                                const Rules& rules, const Mesh& given,
                                                 const Context& context) const override;
   [[nodiscard]] Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules, int level,
-                                             std::span<const unsigned char> sides) const override;
+                                             std::span<const unsigned char> sides,
+                                             std::span<const Index> cut) const override;
 };
 
 }  // namespace surpass::catmull_clark

@@ -47,13 +47,13 @@ Result<LimitOperator> CatmullClark::limit_operator(const Mesh& mesh, const Topol
 
 // Given vertices keep their numbers, so that there is no need for the rows of all others.
 Result<SparseRows> CatmullClark::given_limits(const Mesh& refined, const Topology& topology,
-                                              const Rules& rules, Index given,
+                                              const Rules& rules, const Mesh& given,
                                               const Context& context) const {
   const auto sharpness = Sharpness::build(refined, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
   const VertexRows rows(topology, *sharpness, limit_row, limit_mask);
   return SparseRows::build(
-      context, given, [&](Index v) { return rows.length(v); },
+      context, given.vertex_count(), [&](Index v) { return rows.length(v); },
       [&](Index v, std::span<Index> columns, std::span<double> weights) {
         rows.fill(v, columns, weights);
       });

@@ -101,8 +101,10 @@ Builder::Along Builder::along(const FaceRing& ring, Index neighbour) const {
       std::find(ring.spokes.begin(), ring.spokes.end(), neighbour) - ring.spokes.begin());
   const SpokeDerivatives found = spoke_derivatives(ring, spoke);
   Along along;
-  if (found.first) along.first = scale_ * fine_.over_piece(ring.columns, *found.first);
-  if (found.second) along.second = scale_ * scale_ * fine_.over_piece(ring.columns, *found.second);
+  if (found.first) along.first = fine_.known_over_piece(ring.columns, *found.first);
+  if (found.second) along.second = fine_.known_over_piece(ring.columns, *found.second);
+  if (along.first) *along.first *= scale_;
+  if (along.second) *along.second *= scale_ * scale_;
   return along;
 }
 
@@ -112,6 +114,7 @@ std::optional<Row> Builder::tangent(std::size_t i, std::size_t j, int axis) cons
   if (i % n != 0 || j % n != 0) return {};
   const Index corner = j == 0 ? (i == 0 ? 0 : 1) : (i == 0 ? 3 : 2);
   const Index other = axis == 0 ? corner ^ 1 : 3 - corner;
+  if (piece_.is_cut(piece_.mesh.face_vertices[corner])) return {};
   const FaceRing ring = ring_of(piece_, piece_.mesh.face_vertices[corner]);
   const auto spoke = static_cast<std::size_t>(
       std::find(ring.spokes.begin(), ring.spokes.end(), piece_.mesh.face_vertices[other]) -
@@ -156,8 +159,8 @@ void Builder::add_sample(std::size_t i, std::size_t j) {
     const auto mixed = mixed_derivative(ring, f);
     const double count = end_i && end_j ? 1 : times(0, i, j);
     if (!mixed) break;
-    add_row(scale_ * scale_ * fine_.over_piece(ring.columns, *mixed), Derivative::mixed, count,
-            count * part);
+    const auto row = fine_.known_over_piece(ring.columns, *mixed);
+    if (row) add_row(scale_ * scale_ * *row, Derivative::mixed, count, count * part);
     break;
   }
 }
@@ -204,8 +207,9 @@ PatchKind Builder::build() {
 }  // namespace
 
 Result<PatchKind> CatmullClark::patch_kind(const Mesh& piece, const Rules& rules, int level,
-                                           std::span<const unsigned char> sides) const {
-  const auto given = FinePiece::as_given(piece, rules);
+                                           std::span<const unsigned char> sides,
+                                           std::span<const Index> cut) const {
+  const auto given = FinePiece::as_given(piece, rules, cut);
   if (!given) return tl::make_unexpected(given.error());
   const auto fine = given->refined(*this, rules, level);
   if (!fine) return tl::make_unexpected(fine.error());

@@ -34,6 +34,20 @@ class DooSabin final : public SubdivisionScheme {
   [[nodiscard]] Result<std::vector<Point>> limit_normals(const Mesh& mesh, const Topology& topology,
                                                          const Rules& rules,
                                                          const Context& context) const override;
+  /// By the faces that the given vertices turned into, or the edges and vertices where they have
+  /// none; a row may fail to have a vertex of its own where two doublets are neighbours.
+  [[nodiscard]] Result<SparseRows> given_limits(const Mesh& refined, const Topology& topology,
+                                                const Rules& rules, const Mesh& given,
+                                                const Context& context) const override;
+  [[nodiscard]] bool finds_given_by_faces() const override { return true; }
+  [[nodiscard]] Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules, int level,
+                                             std::span<const unsigned char> sides,
+                                             std::span<const Index> cut) const override;
+  /// A patch a smooth vertex of four faces; one a vertex of a curve, with what leads along it.
+  [[nodiscard]] Result<PatchRows> patch_rows(const Mesh& mesh, const Topology& topology,
+                                             const Rules& rules, int level,
+                                             std::span<const unsigned char> sampled,
+                                             const Context& context, Sides sides) const override;
   /// From level 1 the dual of the refined mesh, whose vertices lie on the limit surface. The given
   /// vertices' limits come first.
   [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,

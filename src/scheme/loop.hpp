@@ -21,10 +21,11 @@ class Loop final : public SubdivisionScheme {
                                                          const Rules& rules,
                                                          const Context& context) const override;
   [[nodiscard]] Result<SparseRows> given_limits(const Mesh& refined, const Topology& topology,
-                                                const Rules& rules, Index given,
+                                                const Rules& rules, const Mesh& given,
                                                 const Context& context) const override;
   [[nodiscard]] Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules, int level,
-                                             std::span<const unsigned char> sides) const override;
+                                             std::span<const unsigned char> sides,
+                                             std::span<const Index> cut) const override;
   [[nodiscard]] Spot spot(const Topology& topology, const Sharpness& sharpness,
                           Index v) const override;
   [[nodiscard]] LimitJet jet(const Mesh& mesh, const Topology& topology, Index v) const override;

@@ -105,12 +105,12 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
 
 // Given vertices keep their numbers.
 Result<SparseRows> Loop::given_limits(const Mesh& refined, const Topology& topology,
-                                      const Rules& rules, Index given,
+                                      const Rules& rules, const Mesh& given,
                                       const Context& context) const {
   const auto op = limit_operator(refined, topology, rules, context);
   if (!op) return tl::make_unexpected(op.error());
   return SparseRows::build(
-      context, given, [&](Index v) { return op->rows.row_length(v); },
+      context, given.vertex_count(), [&](Index v) { return op->rows.row_length(v); },
       [&](Index v, std::span<Index> columns, std::span<double> weights) {
         const RowView row = op->rows.row(v);
         std::copy(row.columns.begin(), row.columns.end(), columns.begin());

@@ -162,6 +162,7 @@ void Builder::derive_regular(const LoopRing& ring, std::size_t begin, std::size_
   const auto columns = columns_of(ring);
   const double scale = side_;
   std::array<Row, kAxes> second;
+  bool all_known = true;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::size_t d = kAlong[axis] + kDirections - direction;
     const auto q = [&](std::size_t k) -> const Mask& { return p[(d + k) % kDirections]; };
@@ -176,10 +177,13 @@ void Builder::derive_regular(const LoopRing& ring, std::size_t begin, std::size_
     two[0] = -2;
     add(1, q(0), two);
     add(1, q(3), two);
-    second[axis] = scale * scale * fine_.over_piece(columns, two);
-    sample.along[axis] = {scale * fine_.over_piece(columns, one), second[axis]};
+    auto& along = sample.along[axis];
+    along = {fine_.known_over_piece(columns, one), fine_.known_over_piece(columns, two)};
+    if (along.first) *along.first *= scale;
+    if (along.second) second[axis] = *along.second *= scale * scale;
+    all_known = all_known && along.second;
   }
-  sample.regular = std::move(second);
+  if (all_known) sample.regular = std::move(second);
 }
 
 // Along a sharp spoke, whose curve is a cubic B-spline; at corners it ends.
@@ -195,12 +199,14 @@ void Builder::derive_along(const LoopRing& ring, std::size_t spoke, Along& along
     Mask two(ring.point_count(), 0.0);
     two[0] = -2;
     two[1 + sharp[0]] = two[1 + sharp[1]] = 1;
-    along.second = scale * scale * fine_.over_piece(columns, two);
+    along.second = fine_.known_over_piece(columns, two);
+    if (along.second) *along.second *= scale * scale;
   } else {
     one[0] = -1;
     one[1 + spoke] = 1;
   }
-  along.first = scale * fine_.over_piece(columns, one);
+  along.first = fine_.known_over_piece(columns, one);
+  if (along.first) *along.first *= scale;
 }
 
 // At an extraordinary corner of the patch, the tangents along its two sides.
@@ -224,6 +230,7 @@ void Builder::derive_tangent(int i, int j, Sample& sample) const {
 }
 
 void Builder::derive(int i, int j, Sample& sample) {
+  if (piece_.is_cut(sample.vertex)) return;
   const LoopRing ring = LoopRing::around(fine_.topology, fine_.sharpness, boundary_, sample.vertex);
   if (ring.is_semi_sharp() || ring.rule() == VertexRule::dart) return;
   const auto spoke_of = [&](Index h) {
@@ -240,6 +247,8 @@ void Builder::derive(int i, int j, Sample& sample) {
     }
     return;
   }
+  // Under these rules curves are no B-splines beside irregular vertices; so much is left out.
+  if (boundary_ == Boundary::hoppe) return;
   for (const Index h : sample.halfedges) {
     const std::size_t spoke = spoke_of(h);
     const std::size_t direction = direction_of(i, j, h);
@@ -340,17 +349,10 @@ PatchKind Builder::build() {
 }  // namespace
 
 Result<PatchKind> Loop::patch_kind(const Mesh& piece, const Rules& rules, int level,
-                                   std::span<const unsigned char> sides) const {
-  const auto given = FinePiece::as_given(piece, rules);
+                                   std::span<const unsigned char> sides,
+                                   std::span<const Index> cut) const {
+  const auto given = FinePiece::as_given(piece, rules, cut);
   if (!given) return tl::make_unexpected(given.error());
-  const auto face = piece.face(0);
-  const bool open = std::any_of(face.begin(), face.end(),
-                                [&](Index v) { return given->topology.is_boundary(v); });
-  if (open && rules.boundary == Boundary::hoppe) {
-    return fail(ErrorCode::invalid_argument,
-                "the derivatives at boundaries are not known under the rule `hoppe`; choose "
-                "edge-only or edge-and-corner");
-  }
   const auto fine = given->refined(*this, rules, level);
   if (!fine) return tl::make_unexpected(fine.error());
   return Builder(*given, *fine, rules.boundary, level, sides).build();

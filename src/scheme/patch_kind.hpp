@@ -12,6 +12,13 @@ namespace surpass {
 /// In parameters that run from 0 to 1 along the sides of the patch.
 enum class Derivative : unsigned char { first, second, mixed, third };
 
+/// Neighbouring patches have the samples on a side between them in common.
+enum class Sides {
+  each,    ///< every patch has the rows of all its samples
+  shared,  ///< one patch has those on a side for both, with twice their count and area, where the
+           ///< surface is smooth and the side's numbers in the two patches differ: half the work
+};
+
 /// Rows of weights, one a sampled derivative.
 struct PatchKind {
   std::size_t columns = 0;             ///< control points that they are taken of

@@ -5,8 +5,6 @@
 #include <string>
 #include <unordered_map>
 
-#include <fmt/format.h>
-
 #include "scheme/sharpness.hpp"
 
 namespace surpass {
@@ -23,6 +21,8 @@ class Piece {
            std::span<const unsigned char> sides);
 
   [[nodiscard]] const std::vector<Index>& vertices() const { return vertices_; }
+  /// Those at which it has only the faces next to its first one.
+  [[nodiscard]] const std::vector<Index>& cut_vertices() const { return cut_; }
   /// Everything that the derivatives depend on.
   [[nodiscard]] const std::string& key() const { return key_; }
   /// As a mesh, without positions.
@@ -30,8 +30,10 @@ class Piece {
 
  private:
   void walk_around(const Topology& topology, Index h);
+  void walk_beside(const Topology& topology, Index h);
   void add_face(const Topology& topology, Index h);
   Index number(Index v);
+  [[nodiscard]] bool has_edge(Index v, Index w) const;
   void note_sharpness(const Topology& topology, const Sharpness& sharpness);
   template <class Value>
   void append(Value value) {
@@ -43,13 +45,31 @@ class Piece {
   std::vector<Index> corners_;   // of each face: how many, and their numbers
   std::vector<Crease> creases_;
   std::vector<Corner> sharp_;
+  std::vector<Index> cut_;  // numbers of vertices
   std::string key_;
 };
+
+// With more faces at a vertex, and so at each of their patches, what depends on all of them is left
+// out: memory and time would grow with the square of their number.
+constexpr Index kMostFacesAround = 256;
 
 Index Piece::number(Index v) {
   const auto at = std::find(vertices_.begin(), vertices_.end(), v) - vertices_.begin();
   if (at == std::ssize(vertices_)) vertices_.push_back(v);
   return static_cast<Index>(at);
+}
+
+// Of a face of the piece.
+bool Piece::has_edge(Index v, Index w) const {
+  for (std::size_t k = 0; k < corners_.size(); k += corners_[k] + 1) {
+    const Index m = corners_[k];
+    for (Index i = 0; i < m; ++i) {
+      const Index a = vertices_[corners_[k + 1 + i]];
+      const Index b = vertices_[corners_[k + 1 + (i + 1) % m]];
+      if ((a == v && b == w) || (a == w && b == v)) return true;
+    }
+  }
+  return false;
 }
 
 // The face of h, from the tail of h on.
@@ -84,13 +104,34 @@ void Piece::walk_around(const Topology& topology, Index h) {
   topology.for_each_outgoing(v, [&](Index spoke) { add_face(topology, spoke); });
 }
 
+// Two faces on either side of that of h. With them the edges next to the face are complete.
+void Piece::walk_beside(const Topology& topology, Index h) {
+  constexpr int kBeside = 2;
+  cut_.push_back(number(topology.tail(h)));
+  add_face(topology, h);
+  Index k = h;
+  for (int i = 0; i < kBeside && k != kNone; ++i) {
+    k = topology.rotate(k);
+    if (k != kNone) add_face(topology, k);
+  }
+  k = h;
+  for (int i = 0; i < kBeside && k != kNone; ++i) {
+    k = topology.opposite(k);
+    if (k == kNone) break;
+    k = topology.next(k);
+    add_face(topology, k);
+  }
+}
+
 void Piece::note_sharpness(const Topology& topology, const Sharpness& sharpness) {
   const Index begin = topology.face_begin(faces_[0]);
   for (Index h = begin; h < topology.face_end(faces_[0]); ++h) {
     const Index v = topology.tail(h);
     if (sharpness.is_plain(v)) continue;
     if (sharpness.vertex(v) > 0) sharp_.push_back({number(v), sharpness.vertex(v)});
+    const bool cut = std::find(cut_.begin(), cut_.end(), number(v)) != cut_.end();
     topology.for_each_spoke(v, [&](Index w, Index e) {
+      if (cut && !has_edge(v, w)) return;
       const float s = sharpness.edge(topology, e);
       if (s > 0 && !topology.is_boundary_edge(e)) creases_.push_back({{number(v), number(w)}, s});
     });
@@ -101,9 +142,16 @@ void Piece::gather(const Topology& topology, Index f) {
   vertices_.clear();
   faces_.clear();
   corners_.clear();
+  cut_.clear();
   const Index begin = topology.face_begin(f);
   add_face(topology, begin);
-  for (Index h = begin; h < topology.face_end(f); ++h) walk_around(topology, h);
+  for (Index h = begin; h < topology.face_end(f); ++h) {
+    if (topology.faces_at(topology.tail(h)) > kMostFacesAround) {
+      walk_beside(topology, h);
+    } else {
+      walk_around(topology, h);
+    }
+  }
 }
 
 void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f,
@@ -119,6 +167,8 @@ void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f,
   for (const Crease& crease : creases_) append(crease);
   append(kNone);
   for (const Corner& corner : sharp_) append(corner);
+  append(kNone);
+  for (const Index v : cut_) append(v);
 }
 
 Mesh Piece::mesh() const {
@@ -177,17 +227,7 @@ bool regular_triangle(const Topology& topology, const Sharpness& sharpness, Inde
   return piece.vertices().size() == 12;
 }
 
-// A patch at a vertex of valence n has some 2 n columns, and there are n such patches.
-constexpr std::size_t kMostColumns = 4096;
 constexpr std::size_t kMostColumnsTogether = kNone / 2;
-
-tl::unexpected<Error> too_many_columns(std::size_t columns) {
-  return fail(ErrorCode::too_large,
-              fmt::format("a patch of the refined mesh depends on {} vertices, or all patches "
-                          "together on too many; vertices of valence up to about {}, and faces of "
-                          "as many sides, are possible here",
-                          columns, kMostColumns / 2));
-}
 
 // How many times the samples on each side of a face count for its patch.
 class SideCounts {
@@ -243,7 +283,13 @@ class KindTable {
 Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                    int level, std::span<const unsigned char> sampled,
                                    const Context& context, Sides sides) {
-  const SubdivisionScheme& scheme = scheme_of(rules.scheme);
+  return scheme_of(rules.scheme).patch_rows(mesh, topology, rules, level, sampled, context, sides);
+}
+
+Result<PatchRows> SubdivisionScheme::patch_rows(const Mesh& mesh, const Topology& topology,
+                                                const Rules& rules, int level,
+                                                std::span<const unsigned char> sampled,
+                                                const Context& context, Sides sides) const {
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
   PatchRows rows;
@@ -252,9 +298,8 @@ Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, c
   Piece piece;
   std::array<Index, 16> regular{};
   const std::size_t usual = topology.common_degree() == 3 ? 12 : 16;
-  rows.columns_.reserve(std::min(usual * topology.face_count(), kMostColumnsTogether));
-  rows.offsets_.reserve(std::size_t{topology.face_count()} + 1);
-  rows.kind_of_.reserve(topology.face_count());
+  rows.reserve(topology.face_count(),
+               std::min(usual * topology.face_count(), kMostColumnsTogether));
   for (Index f = 0; f < topology.face_count(); ++f) {
     if (f % parallel::kChunk == 0 && context.cancelled()) {
       return fail(ErrorCode::cancelled, "cancelled while setting up");
@@ -266,27 +311,25 @@ Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, c
             ? regular_quad(topology, *sharpness, f, regular) && all_different(regular)
             : topology.common_degree() == 3 && regular_triangle(topology, *sharpness, f, piece);
     if (is_regular && table.regular(count) != kNone) {
-      const std::span<const Index> columns =
-          topology.common_degree() == 4 ? std::span<const Index>(regular) : piece.vertices();
-      rows.columns_.insert(rows.columns_.end(), columns.begin(), columns.end());
-      rows.kind_of_.push_back(table.regular(count));
+      rows.add_patch(
+          topology.common_degree() == 4 ? std::span<const Index>(regular) : piece.vertices(),
+          table.regular(count));
     } else {
       piece.cut(topology, *sharpness, f, count);
-      if (piece.vertices().size() > kMostColumns || rows.columns_.size() > kMostColumnsTogether) {
-        return too_many_columns(piece.vertices().size());
+      if (rows.column_count() > kMostColumnsTogether) {
+        return fail(ErrorCode::too_large,
+                    "the patches of the refined mesh depend on too many vertices");
       }
       const auto [at, added] =
-          table.numbers.try_emplace(piece.key(), static_cast<Index>(rows.kinds_.size()));
+          table.numbers.try_emplace(piece.key(), static_cast<Index>(rows.kinds().size()));
       if (added) {
-        auto kind = scheme.patch_kind(piece.mesh(), rules, level, count);
+        auto kind = patch_kind(piece.mesh(), rules, level, count, piece.cut_vertices());
         if (!kind) return tl::make_unexpected(kind.error());
-        rows.kinds_.push_back(std::move(*kind));
+        rows.add_kind(std::move(*kind));
       }
       if (is_regular) table.regular(count) = at->second;
-      rows.columns_.insert(rows.columns_.end(), piece.vertices().begin(), piece.vertices().end());
-      rows.kind_of_.push_back(at->second);
+      rows.add_patch(piece.vertices(), at->second);
     }
-    rows.offsets_.push_back(static_cast<Index>(rows.columns_.size()));
   }
   return rows;
 }

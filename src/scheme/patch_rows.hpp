@@ -1,8 +1,9 @@
 // Derivatives of a limit surface, sampled on every patch, as rows of weights over control points.
 //
-// A patch is the part of the surface that belongs to a face of the control mesh. Its derivatives
-// depend on the vertices of the faces that touch it, and their weights on nothing but how these
-// faces are joined and how sharp they are: most patches of a mesh are of few kinds.
+// A patch is the part of the surface that belongs to a face of the control mesh, or, on Doo-Sabin
+// surfaces, to a vertex. Its derivatives depend on the vertices of the faces that touch it, and
+// their weights on nothing but how these faces are joined and how sharp they are: most patches of a
+// mesh are of few kinds.
 #pragma once
 
 #include <surpass/topology.hpp>
@@ -14,13 +15,6 @@
 #include "scheme/subdivision_scheme.hpp"
 
 namespace surpass {
-
-/// Neighbouring patches have the samples on a side between them in common.
-enum class Sides {
-  each,    ///< every patch has the rows of all its samples
-  shared,  ///< one patch has those on a side for both, with twice their count and area, where the
-           ///< surface is smooth and the side's numbers in the two faces differ: half the work
-};
 
 /// The derivatives of every patch of a control mesh.
 class PatchRows {
@@ -37,17 +31,43 @@ class PatchRows {
     return std::span(columns_).subspan(offsets_[patch], offsets_[patch + 1] - offsets_[patch]);
   }
 
-  /// A patch for every face with `sampled` != 0 (#F; empty: all), in order. `level` refinements
-  /// lead from a face to its samples: 2^level + 1 along a side. Fails where Sharpness::build does,
-  /// with `too_large` at valences of thousands, or when cancelled. O(#faces).
+  /// The vertex that each patch belongs to, ascending; empty where patches belong to faces.
+  [[nodiscard]] std::span<const Index> vertices() const { return vertices_; }
+
+  /// A patch for every face with `sampled` != 0 (#F; empty: all), in order; or for every vertex
+  /// where anything is known, whatever `sampled` says. `level` refinements lead to the samples:
+  /// 2^level + 1 along a side. Where more than 256 faces, or corners of a Doo-Sabin
+  /// face, come together, rows that depend on all of them are left out. Fails where
+  /// Sharpness::build does, with `too_large`, or when cancelled. O(#faces).
   static Result<PatchRows> build(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                  int level, std::span<const unsigned char> sampled,
                                  const Context& context, Sides sides = Sides::each);
+
+  // For the schemes, which build it.
+  Index add_kind(PatchKind kind) {
+    kinds_.push_back(std::move(kind));
+    return static_cast<Index>(kinds_.size() - 1);
+  }
+  void add_patch(std::span<const Index> columns, Index kind) {
+    columns_.insert(columns_.end(), columns.begin(), columns.end());
+    offsets_.push_back(static_cast<Index>(columns_.size()));
+    kind_of_.push_back(kind);
+  }
+  void add_vertex_patch(Index v, std::span<const Index> columns, Index kind) {
+    vertices_.push_back(v);
+    add_patch(columns, kind);
+  }
+  void reserve(std::size_t patches, std::size_t columns) {
+    offsets_.reserve(patches + 1);
+    kind_of_.reserve(patches);
+    columns_.reserve(columns);
+  }
 
  private:
   std::vector<Index> offsets_ = {0};
   std::vector<Index> columns_;
   std::vector<Index> kind_of_;
+  std::vector<Index> vertices_;
   std::vector<PatchKind> kinds_;
 };
 

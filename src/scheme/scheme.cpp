@@ -214,31 +214,11 @@ void move_to_limit(Mesh& mesh, const SparseRows& rows, const std::vector<Point>&
   add_limit_normals(mesh, normals);
 }
 
-namespace {
-
-tl::unexpected<Error> no_derivatives(const SubdivisionScheme& scheme) {
-  return fail(
-      ErrorCode::unsuitable_for_scheme,
-      fmt::format("the derivatives of {} surfaces are not known to this version", scheme.title()));
-}
-
-}  // namespace
-
 Result<std::unique_ptr<const SurfaceEvaluator>> SubdivisionScheme::evaluator(
     const Mesh& /*mesh*/, const Topology& /*topology*/, const Rules& /*rules*/,
     const Context& /*context*/) const {
   return fail(ErrorCode::invalid_argument,
               fmt::format("{} surfaces are evaluated at their vertices only", title()));
-}
-
-Result<SparseRows> SubdivisionScheme::given_limits(const Mesh&, const Topology&, const Rules&,
-                                                   Index, const Context&) const {
-  return no_derivatives(*this);
-}
-
-Result<PatchKind> SubdivisionScheme::patch_kind(const Mesh&, const Rules&, int,
-                                                std::span<const unsigned char>) const {
-  return no_derivatives(*this);
 }
 
 Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rules, int levels,

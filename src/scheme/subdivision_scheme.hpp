@@ -12,6 +12,8 @@
 
 namespace surpass {
 
+class PatchRows;
+
 class SubdivisionScheme {
  public:
   SubdivisionScheme() = default;
@@ -52,21 +54,33 @@ class SubdivisionScheme {
   /// Refinement turns corner c into face c, a quad, and the vertices keep their numbers.
   [[nodiscard]] virtual bool makes_corners_faces() const { return false; }
 
-  /// The limit points of the given vertices as rows over the vertices of the mesh that they were
-  /// refined to by one step. Here: fails as patch_kind does.
+  /// The limit points of the given vertices as rows over the vertices of `refined`, the mesh that
+  /// one step made of `given` (faces, creases and corners; no points are needed), perhaps with
+  /// vertices added behind. `topology` is that of `refined`. Fails if `refined` cannot be that.
   [[nodiscard]] virtual Result<SparseRows> given_limits(const Mesh& refined,
                                                         const Topology& topology,
-                                                        const Rules& rules, Index given,
-                                                        const Context& context) const;
+                                                        const Rules& rules, const Mesh& given,
+                                                        const Context& context) const = 0;
+  /// Whether given_limits() looks at the faces of the given mesh, and not only counts its vertices.
+  [[nodiscard]] virtual bool finds_given_by_faces() const { return false; }
 
   /// The derivatives of face 0 of a piece of a control mesh: that face and all that touch it, with
-  /// the creases and corners that touch it. `level` refinements lead to its samples. Columns are
-  /// the vertices of the piece. `sides`: how many times the samples on each side of the face count;
-  /// 1, or 0 and 2 where one of two patches has them for both. Derivatives that cannot be told are
-  /// left out. Here: fails, for the scheme has none.
+  /// the creases and corners that touch it; or, where patches belong to vertices, of vertex 0, with
+  /// the faces at it. `level` refinements lead to its samples. Columns are the vertices of the
+  /// piece. `sides`: how many times the samples on each side of the patch count; 1, or 0 and 2
+  /// where one of two patches has them for both. `cut`: vertices of the piece at which it has only
+  /// the faces next to face 0, two on either side (or, where patches belong to vertices, faces of
+  /// which it has three corners only). Derivatives that cannot be told are left out.
   [[nodiscard]] virtual Result<PatchKind> patch_kind(const Mesh& piece, const Rules& rules,
                                                      int level,
-                                                     std::span<const unsigned char> sides) const;
+                                                     std::span<const unsigned char> sides,
+                                                     std::span<const Index> cut) const = 0;
+
+  /// See PatchRows::build. Here: a patch a face.
+  [[nodiscard]] virtual Result<PatchRows> patch_rows(const Mesh& mesh, const Topology& topology,
+                                                     const Rules& rules, int level,
+                                                     std::span<const unsigned char> sampled,
+                                                     const Context& context, Sides sides) const;
 
   /// See surpass::limit_mesh, but with its hole faces. Here: the refined vertices, moved to their
   /// limits.

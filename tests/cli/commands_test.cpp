@@ -94,6 +94,30 @@ TEST(Interpolate, SimilarityHasASurfaceWherePlainInterpolationHasNone) {
   EXPECT_NEAR(control.points[6][0], 2.5744505853472, 1e-11);
 }
 
+// On Doo-Sabin surfaces no vertex of the control mesh stands for a given one: `check` finds its
+// face by the given mesh's faces, in every format that keeps them, and sees a vertex that has
+// moved.
+TEST(Interpolate, SimilarDooSabinSurfacesAreChecked) {
+  const TempFolder folder;
+  const std::string given = data("jug.obj");
+  for (const char* file : {"c.obj", "c.ply", "c.off"}) {
+    const std::string control = folder / file;
+    const Outcome outcome = surpass(
+        {"interpolate", given, "-o", control, "--scheme", "doo-sabin", "--method", "similarity"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("with a face for each vertex"), std::string::npos) << outcome.err;
+    const Outcome checked = surpass({"check", control, "--against", given, "--tolerance", "1e-12"});
+    EXPECT_EQ(checked.status, 0) << checked.err;
+    EXPECT_EQ(surpass({"check", control, "--against", data("cube.obj")}).status, 3);
+  }
+  Mesh moved = mesh_of(given);
+  moved.points[7][1] += 1;
+  ASSERT_TRUE(write_mesh(folder / "moved.obj", moved));
+  const Outcome seen = surpass({"check", folder / "c.obj", "--against", folder / "moved.obj"});
+  EXPECT_EQ(seen.status, 4) << seen.err;
+  EXPECT_NE(seen.out.find("at vertex 7"), std::string::npos) << seen.out;
+}
+
 TEST(Interpolate, AReferenceMayBeGivenOrRefined) {
   const TempFolder folder;
   const std::string given = data("quad_patch.ply");

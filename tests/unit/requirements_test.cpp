@@ -271,9 +271,69 @@ TEST(Requirements, ImpossibleOnesAreRefused) {
     EXPECT_EQ(result.error().code, ErrorCode::invalid_argument);
     EXPECT_NE(result.error().message.find("requirement 0"), std::string::npos);
   }
-  SimilarityOptions options;
-  options.solver = SimilaritySolver::gauss_seidel;
-  EXPECT_FALSE(interpolate_required(mesh, std::vector{at_vertex(Kind::remove, 0)}, options));
+}
+
+// Gauss and Seidel's sweeps end where conjugate gradients do, and leave the requirements nowhere.
+TEST(Requirements, GaussAndSeidelKeepThemAndFindTheSame) {
+  const Mesh mesh = bumpy();
+  for (const Similarity form : kForms) {
+    SCOPED_TRACE(name_of(form));
+    SimilarityOptions options = options_with(form, 20000);
+    options.solver_tolerance = 1e-11;
+    const auto all = mixed_requirements(mesh, options.rules);
+    const auto expected = interpolate_required(mesh, all, options).value();
+    options.solver = SimilaritySolver::gauss_seidel;
+    for (const unsigned iterations : {0U, 1U, 3U, 20000U}) {
+      options.max_iterations = iterations;
+      const auto found = interpolate_required(mesh, all, options).value();
+      for (const auto& outcome : found.report.requirements) EXPECT_LT(outcome.error, 1e-13);
+      EXPECT_LT(found.report.solve.final.max, 1e-13);
+      if (iterations < 10) continue;
+      EXPECT_LT(found.report.residual, 1e-11);
+      EXPECT_LT(test::max_distance(found.control.points, expected.control.points), 1e-7);
+    }
+  }
+}
+
+// Two points of the surface so near each other that the second equation is the first one but for a
+// millionth and less: together they prescribe a derivative, and both are met.
+TEST(Requirements, NearlyDependentOnesAreMet) {
+  const Mesh mesh = bumpy();
+  for (const double apart : {1e-6, 1e-7, 1e-8}) {
+    SCOPED_TRACE(apart);
+    const SimilarityOptions options = options_with(Similarity::vectors);
+    const auto start = interpolate_similar(mesh, options).value().control;
+    const LimitSurface surface = LimitSurface::create(start, options.rules).value();
+    // A quarter of face 6 of the given mesh, whose parameters run half as fast.
+    const auto s = surface.evaluate({mesh.face_offsets[6], 0.5, 0.25}).value();
+    const SurfacePlace here{6, 0.5, 0.25, 0};
+    const SurfacePlace there{6, 0.5 + apart, 0.25, 0};
+    Point wanted = s.position;
+    Point beside = s.position;
+    for (std::size_t c = 0; c < 3; ++c) beside[c] += apart * (s.du[c] + (c == 2 ? 0.2 : 0.1));
+    std::vector<Requirement> all = {
+        on_face(Kind::position, here, wanted), on_face(Kind::position, there, beside),
+        on_face(Kind::position, there, beside), at_vertex(Kind::normal, 9, {0, 0, 1})};
+    const auto found = interpolate_required(mesh, all, options);
+    ASSERT_TRUE(found) << describe(found.error());
+    for (const auto& outcome : found->report.requirements) EXPECT_LT(outcome.error, 1e-14);
+    EXPECT_FALSE(found->report.requirements[0].redundant);
+    EXPECT_FALSE(found->report.requirements[1].redundant);
+    EXPECT_TRUE(found->report.requirements[2].redundant);
+    const auto after = LimitSurface::create(found->control, options.rules)
+                           .value()
+                           .evaluate({mesh.face_offsets[6], 0.5, 0.25})
+                           .value();
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(after.du[c], s.du[c] + (c == 2 ? 0.2 : 0.1), 1e-4) << c;
+    }
+    all[2].value[1] += 1e-3;
+    const auto refused = interpolate_required(mesh, all, options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::singular);
+    EXPECT_NE(refused.error().message.find("1 (position on face 6"), std::string::npos)
+        << describe(refused.error());
+  }
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 // over the sampled derivatives under equations for the given vertices, by Lagrange's multipliers.
 #include <surpass/similarity.hpp>
 
+#include <numeric>
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "scheme/doo_sabin_sites.hpp"
 #include "scheme/limit_operator.hpp"
 #include "scheme/patch_rows.hpp"
 #include "support/polygons.hpp"
@@ -58,7 +61,20 @@ Rows all_rows(const Mesh& refined, const Rules& rules) {
   return all;
 }
 
-Matrix limits_of(const Mesh& refined, const Rules& rules, Index given) {
+// Of the faces that the given vertices turned into, or what they have in their place.
+Matrix limits_at_sites(const Mesh& mesh, const Mesh& refined, const Rules& rules) {
+  const auto level = doo_sabin::refined_level(mesh, rules, 1, {}).value();
+  Matrix m = Matrix::Zero(mesh.vertex_count(), refined.vertex_count());
+  for (Index i = 0; i < mesh.vertex_count(); ++i) {
+    doo_sabin::add_site_limit(level.layout, rules.weights, level.sites[i],
+                              [&](Index j, double w) { m(i, j) += w; });
+  }
+  return m;
+}
+
+Matrix limits_of(const Mesh& mesh, const Mesh& refined, const Rules& rules) {
+  if (rules.scheme == Scheme::doo_sabin) return limits_at_sites(mesh, refined, rules);
+  const Index given = mesh.vertex_count();
   const auto topology = Topology::build(refined).value();
   const auto op = limit_operator(refined, topology, rules, {}).value();
   Matrix m = Matrix::Zero(given, refined.vertex_count());
@@ -159,7 +175,7 @@ void expect_dense_solution(const Mesh& mesh, SimilarityOptions options, double t
   ASSERT_TRUE(found) << describe(found.error());
   const Mesh refined = refine(mesh, options.rules, 1).value();
   const Matrix expected = dense_solution(options, all_rows(refined, options.rules),
-                                         limits_of(refined, options.rules, mesh.vertex_count()),
+                                         limits_of(mesh, refined, options.rules),
                                          matrix_of(refined.points), matrix_of(mesh.points));
   EXPECT_LT((matrix_of(found->control.points) - expected).cwiseAbs().maxCoeff(), tolerance);
 }
@@ -178,6 +194,28 @@ TEST(Similarity, OnLoopSurfacesIsTheDenseSolution) {
       expect_dense_solution(given, options, 1e-11);
       options.similarity = Similarity::directions;
       expect_dense_solution(given, options, 1e-8);
+    }
+  }
+}
+
+// Doo-Sabin surfaces, whose patches belong to vertices: extraordinary faces, boundaries, creases
+// and darts.
+TEST(Similarity, OnDooSabinSurfacesIsTheDenseSolution) {
+  std::mt19937_64 random(9);
+  Mesh creased = test::quad_grid(4, 4);
+  creased.creases = {{{4, 5}}, {{5, 6}}, {{6, 7}}, {{9, 13}}};
+  for (const Mesh& mesh : {test::cube(), test::prism(5), creased}) {
+    for (const Weights weights : {Weights::averaging, Weights::cosine}) {
+      SimilarityOptions options;
+      options.rules = {Scheme::doo_sabin, Boundary::edge_and_corner, weights};
+      const Mesh given = test::jitter(mesh, random, 0.15);
+      expect_dense_solution(given, options, 1e-11);
+      options.similarity = Similarity::fair;
+      options.membrane = 0.3;
+      expect_dense_solution(given, options, 1e-11);
+      options.similarity = Similarity::directions;
+      options.rules.boundary = Boundary::edge_only;
+      expect_dense_solution(given, options, 1e-7);
     }
   }
 }
@@ -271,7 +309,7 @@ TEST(Similarity, InsideADummyRingIsTheDenseSolution) {
       EXPECT_EQ(found->control.face_vertices, refined.face_vertices);
       EXPECT_EQ(found->control.hole_faces, refined.hole_faces);
       const Matrix expected = dense_solution(options, all_rows(refined, options.rules),
-                                             limits_of(refined, options.rules, mesh.vertex_count()),
+                                             limits_of(mesh, refined, options.rules),
                                              matrix_of(refined.points), matrix_of(mesh.points));
       const double tolerance = similarity == Similarity::directions ? 1e-7 : 1e-10;
       EXPECT_LT((matrix_of(found->control.points) - expected).cwiseAbs().maxCoeff(), tolerance);
@@ -383,11 +421,6 @@ TEST(Similarity, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(refused({.similarity = Similarity::fair, .thin_plate = 0}),
             ErrorCode::invalid_argument);
   EXPECT_EQ(refused({.rules = {Scheme::loop}}), ErrorCode::unsuitable_for_scheme) << "quads";
-  EXPECT_EQ(refused({.rules = {Scheme::doo_sabin}}), ErrorCode::unsuitable_for_scheme);
-  EXPECT_TRUE(interpolate_similar(test::bipyramid(300)));
-  const auto pole = SimilarityInterpolator::create(test::bipyramid(3000));
-  ASSERT_FALSE(pole);
-  EXPECT_EQ(pole.error().code, ErrorCode::too_large);
   const auto solver = SimilarityInterpolator::create(cube).value();
   EXPECT_EQ(solver.solve(std::vector<Point>(7)).error().code, ErrorCode::mismatch);
   EXPECT_EQ(solver.solve_like(std::vector<Point>(9), cube.points).error().code,
@@ -398,6 +431,107 @@ TEST(Similarity, RefusesWhatCannotBeMeant) {
   const std::atomic<bool> stop = true;
   EXPECT_EQ(solver.solve(jittered(cube).points, {}, {.cancel = &stop}).error().code,
             ErrorCode::cancelled);
+}
+
+// Around a vertex, or inside a face, of thousands: what depends on all neighbours is left out.
+TEST(Similarity, ThousandsOfFacesAroundAVertexAreInterpolated) {
+  constexpr Index kMany = 5000;
+  Mesh disc;  // one face
+  for (Index i = 0; i < kMany; ++i) {
+    const double t = 2 * M_PI * i / kMany;
+    disc.points.push_back({std::cos(t), std::sin(t), 0.1 * std::cos(5 * t)});
+  }
+  std::vector<Index> all(kMany);
+  std::iota(all.begin(), all.end(), Index{0});
+  disc.add_face(all);
+  Mesh cone = disc;  // open
+  cone.face_offsets = {0};
+  cone.face_vertices.clear();
+  cone.points.push_back({0, 0, 1});
+  for (Index i = 0; i < kMany; ++i) cone.add_face(std::array{i, (i + 1) % kMany, kMany});
+  const Mesh closed = test::bipyramid(kMany);
+  for (const Scheme scheme : {Scheme::catmull_clark, Scheme::loop, Scheme::doo_sabin}) {
+    for (const Mesh& mesh : {disc, cone, closed}) {
+      if (scheme == Scheme::loop && mesh.face(0).size() != 3) continue;
+      for (const Similarity form :
+           {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+        SCOPED_TRACE(std::string(name_of(scheme)) + ", " + name_of(form));
+        SimilarityOptions options;
+        options.rules = {scheme};
+        options.similarity = form;
+        const auto found = interpolate_similar(mesh, options);
+        ASSERT_TRUE(found) << describe(found.error());
+        EXPECT_LE(certify(found->control, mesh, options.rules)->max, 1e-12);
+        EXPECT_LT(bounding_box(found->control.points).side(), 3) << "and not thrown about";
+      }
+    }
+  }
+}
+
+// The rows of all kinds of patches: the order of the derivative, then the weights, ascending.
+std::vector<std::vector<double>> weights_of_rows(const Mesh& mesh, const Rules& rules) {
+  const auto topology = Topology::build(mesh).value();
+  const auto patches = PatchRows::build(mesh, topology, rules, 1, {}, {}).value();
+  std::vector<std::vector<double>> rows;
+  for (const PatchKind& kind : patches.kinds()) {
+    for (std::size_t r = 0; r < kind.row_count(); ++r) {
+      std::vector<double>& row = rows.emplace_back();
+      for (const double w : kind.row(r)) {
+        if (std::abs(w) > 1e-13) row.push_back(w);
+      }
+      std::sort(row.begin(), row.end());
+      row.insert(row.begin(), static_cast<double>(kind.derivative[r]));
+    }
+  }
+  return rows;
+}
+
+// What is left out at many faces is what depends on all of them, and nothing else is changed.
+TEST(Similarity, RowsBesideManyFacesAreThoseOfTheWholeMesh) {
+  constexpr Index kMost = 256;
+  for (const Scheme scheme : {Scheme::catmull_clark, Scheme::loop, Scheme::doo_sabin}) {
+    SCOPED_TRACE(name_of(scheme));
+    const Rules rules = {scheme};
+    const auto rows_at = [&](Index n) {
+      return weights_of_rows(refine(test::bipyramid(n), rules, 1).value(), rules);
+    };
+    const auto is_local = [](const std::vector<double>& row) { return row.size() < kMost / 4; };
+    const auto is_in = [](const std::vector<double>& row, const auto& rows) {
+      return std::any_of(rows.begin(), rows.end(), [&](const std::vector<double>& other) {
+        return std::equal(row.begin(), row.end(), other.begin(), other.end(),
+                          [](double a, double b) { return std::abs(a - b) < 1e-12; });
+      });
+    };
+    const auto whole = rows_at(kMost);
+    const auto cut = rows_at(kMost + 1);
+    EXPECT_FALSE(std::all_of(whole.begin(), whole.end(), is_local));
+    for (const auto& row : cut) EXPECT_TRUE(is_local(row) && is_in(row, whole)) << row.size();
+    for (const auto& row : whole) {
+      EXPECT_TRUE(!is_local(row) || is_in(row, cut)) << row.size();
+    }
+  }
+}
+
+// Rules of Hoppe et al. at the boundary: what they make of curves is left out.
+TEST(Similarity, OnOpenLoopSurfacesUnderHoppeInterpolates) {
+  for (const Mesh& mesh : {jittered(test::triangle_grid(5, 4)),
+                           test::random_mesh({.seed = 4, .kind = 3, .size = 7})}) {
+    for (const Similarity form : {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+      for (const unsigned iterations : {0U, 1000U}) {
+        SimilarityOptions options;
+        options.rules = {Scheme::loop, Boundary::hoppe};
+        options.similarity = form;
+        options.max_iterations = iterations;
+        const auto found = interpolate_similar(mesh, options);
+        ASSERT_TRUE(found) << describe(found.error());
+        EXPECT_EQ(found->report.solver_converged, iterations > 0);
+        EXPECT_LE(certify(found->control, mesh.points, options.rules)->max, 1e-12);
+      }
+    }
+  }
+  SimilarityOptions options;
+  options.rules = {Scheme::loop, Boundary::hoppe};
+  expect_dense_solution(jittered(test::triangle_grid(4, 4)), options, 1e-10);
 }
 
 TEST(Similarity, EmptyMeshesAndIsolatedVerticesAreTheirOwn) {

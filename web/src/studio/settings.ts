@@ -71,7 +71,7 @@ const kSchemes: Choice<string>[] = [
 ];
 const kOfTriangles = ['loop', kByItself];
 /** The schemes with the methods similarity and fair. */
-const kWithFreedom = ['loop', 'catmull-clark'];
+const kWithFreedom = ['loop', 'catmull-clark', 'doo-sabin'];
 const kMethods: Choice<string>[] = [
   { value: 'progressive', label: 'Progressive' },
   { value: 'similarity', label: 'Similarity' },
