@@ -3,7 +3,9 @@
 
 #include <surpass/mesh.hpp>
 
-#include <span>
+#include <atomic>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace surpass {
@@ -17,13 +19,14 @@ class Topology {
  public:
   /// O(#corners) time for bounded valences. Fails, naming the element, on indices out of range,
   /// faces with fewer than three or with repeated vertices, edges of more than two faces, and
-  /// neighbours of opposite orientation. Memory: about 60 bytes a vertex for triangles.
+  /// neighbours of opposite orientation. Memory: 56 bytes a vertex for triangles, and 36 more once
+  /// somebody asks for the number of an edge. Copies share both.
   static Result<Topology> build(const Mesh& mesh);
 
-  [[nodiscard]] Index vertex_count() const { return static_cast<Index>(vertices_.size()); }
-  [[nodiscard]] Index face_count() const { return static_cast<Index>(face_offsets_.size() - 1); }
-  [[nodiscard]] Index corner_count() const { return static_cast<Index>(face_vertices_.size()); }
-  [[nodiscard]] Index edge_count() const { return static_cast<Index>(edge_halfedge_.size()); }
+  [[nodiscard]] Index vertex_count() const { return vertex_count_; }
+  [[nodiscard]] Index face_count() const { return face_count_; }
+  [[nodiscard]] Index corner_count() const { return corner_count_; }
+  [[nodiscard]] Index edge_count() const { return (corner_count_ + boundary_edges_) / 2; }
 
   // Half-edges.
   [[nodiscard]] Index tail(Index h) const { return face_vertices_[h]; }
@@ -47,25 +50,28 @@ class Topology {
   }
   /// The half-edge of the neighbouring face, or kNone on the boundary.
   [[nodiscard]] Index opposite(Index h) const { return opposite_[h]; }
-  [[nodiscard]] Index edge(Index h) const { return edge_[h]; }
+  [[nodiscard]] Index edge(Index h) const { return edges().of_halfedge[h]; }
   /// The next spoke counterclockwise around tail(h); kNone after the last face of an open fan.
   [[nodiscard]] Index rotate(Index h) const { return opposite_[previous(h)]; }
 
-  // Edges, numbered in the order of their smaller end vertex.
-  [[nodiscard]] Index edge_halfedge(Index e) const { return edge_halfedge_[e]; }
+  // Edges, numbered in the order of their smaller end vertex when a number is asked for first:
+  // O(#corners). Any thread may be the first.
+  [[nodiscard]] Index edge_halfedge(Index e) const { return edges().halfedge[e]; }
   [[nodiscard]] bool is_boundary_edge(Index e) const {
-    return opposite_[edge_halfedge_[e]] == kNone;
+    return opposite_[edge_halfedge(e)] == kNone;
   }
   [[nodiscard]] std::array<Index, 2> edge_vertices(Index e) const {
-    const Index h = edge_halfedge_[e];
+    const Index h = edge_halfedge(e);
     return {tail(h), head(h)};
   }
   /// The edge between two vertices, or kNone. O(valence of a).
   [[nodiscard]] Index find_edge(Index a, Index b) const;
 
   // Faces.
-  [[nodiscard]] Index face_begin(Index f) const { return face_offsets_[f]; }
-  [[nodiscard]] Index face_end(Index f) const { return face_offsets_[f + 1]; }
+  [[nodiscard]] Index face_begin(Index f) const {
+    return common_degree_ != 0 ? f * common_degree_ : face_offsets_[f];
+  }
+  [[nodiscard]] Index face_end(Index f) const { return face_begin(f + 1); }
   [[nodiscard]] Index face_degree(Index f) const {
     return common_degree_ != 0 ? common_degree_ : face_end(f) - face_begin(f);
   }
@@ -101,11 +107,12 @@ class Topology {
   /// fan the first and the last are on the boundary.
   template <class Visit>
   void for_each_spoke(Index v, Visit&& visit) const {
-    for_each_outgoing(v, [&](Index h) {
-      visit(head(h), edge(h));
-      const Index p = previous(h);
-      if (opposite_[p] == kNone) visit(tail(p), edge(p));
-    });
+    visit_spokes(v, [&](Index w, Index h) { visit(w, edge(h)); });
+  }
+  /// Calls visit(w) for the same neighbours.
+  template <class Visit>
+  void for_each_neighbour(Index v, Visit&& visit) const {
+    visit_spokes(v, [&](Index w, Index) { visit(w); });
   }
 
   /// Half-edges without opposite.
@@ -113,10 +120,10 @@ class Topology {
 
  private:
   struct Vertex {
-    Index outgoing = kNone;
-    Index faces : 30 = 0;  // enough, for a face has three corners or more
-    bool boundary : 1 = false;
-    bool bowtie : 1 = false;
+    Index outgoing;
+    Index faces : 30;  // enough, for a face has three corners or more
+    bool boundary : 1;
+    bool bowtie : 1;
   };
   struct FurtherFan {
     Index vertex;
@@ -132,25 +139,44 @@ class Topology {
     }
   }
 
-  Result<void> match_halfedges();
-  Result<void> explain_conflict(Index a, Index b) const;
-  void find_fans();
-  [[nodiscard]] bool has_further_fans() const;
-  [[nodiscard]] Index in_first_fan(Index v) const {
-    Index n = 0;
-    visit_fan(outgoing(v), [&](Index) { ++n; });
-    return n;
+  // Visits each neighbour, and a half-edge between it and v.
+  template <class Visit>
+  void visit_spokes(Index v, Visit&& visit) const {
+    for_each_outgoing(v, [&](Index h) {
+      visit(head(h), h);
+      const Index p = previous(h);
+      if (opposite_[p] == kNone) visit(tail(p), p);
+    });
   }
-  void find_further_fans();
 
-  std::vector<Index> face_offsets_;
-  std::vector<Index> face_vertices_;
-  Index common_degree_ = 0;     // 3 or 4 where all faces are such, which is worth knowing
-  std::vector<Index> face_of_;  // empty for those, where dividing is faster than looking up
-  std::vector<Index> opposite_;
-  std::vector<Index> edge_;
-  std::vector<Index> edge_halfedge_;
-  std::vector<Vertex> vertices_;
+  struct Edges {
+    std::atomic<bool> numbered = false;
+    std::mutex numbering;
+    std::unique_ptr<Index[]> of_halfedge;  // #corners
+    std::unique_ptr<Index[]> halfedge;     // #E, the smaller of the edge's one or two
+  };
+  [[nodiscard]] const Edges& edges() const {
+    if (!edges_->numbered.load(std::memory_order_acquire)) number_edges();
+    return *edges_;
+  }
+  void number_edges() const;
+
+  template <class Faces>
+  class FanMatching;
+  template <class Faces>
+  Result<void> match(const Mesh& mesh, const Faces& faces);
+
+  // Arrays are not vectors where clearing them first would cost; copies share what never changes.
+  Index vertex_count_ = 0;
+  Index face_count_ = 0;
+  Index corner_count_ = 0;
+  Index common_degree_ = 0;          // 3 or 4 where all faces are such, which is worth knowing
+  std::vector<Index> face_offsets_;  // empty for those, where computing is faster than looking up
+  std::vector<Index> face_of_;       // likewise
+  std::shared_ptr<Index[]> face_vertices_;
+  std::shared_ptr<Index[]> opposite_;
+  std::shared_ptr<Vertex[]> vertices_;
+  std::shared_ptr<Edges> edges_ = std::make_shared<Edges>();
   std::vector<FurtherFan> further_fans_;  // ascending by vertex
   Index boundary_edges_ = 0;
 };

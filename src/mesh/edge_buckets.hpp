@@ -23,6 +23,9 @@ struct BucketEntry {
 /// direction.
 inline constexpr Index kMostCorners = kNone / 2;
 
+/// Above this many entries a bucket is sorted rather than searched: a vertex can have any valence.
+inline constexpr std::size_t kSearchedBucket = 32;
+
 /// One counting sort over all faces. Inside a bucket half-edges are in the order of faces, and the
 /// last half-edge of a face comes first.
 class EdgeBuckets {

@@ -84,7 +84,7 @@ VertexCurvature curvature_at(const Topology& topology, const Rows& points, const
   plane.row(0) = normal.unitOrthogonal();
   plane.row(1) = normal.cross(plane.row(0).transpose());
   ShapeFit fit;
-  topology.for_each_spoke(v, [&](Index w, Index) {
+  topology.for_each_neighbour(v, [&](Index w) {
     const Vector2d step = plane * (points.row(w) - points.row(v)).transpose();
     if (normals.row(w).isZero() || !(step.squaredNorm() > 0)) return;
     fit.add(step, plane * (normals.row(w) - normals.row(v)).transpose());

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +36,100 @@ std::vector<Index> ring(const Topology& topology, Index v) {
 std::vector<Index> cyclic(std::vector<Index> list) {
   std::rotate(list.begin(), std::min_element(list.begin(), list.end()), list.end());
   return list;
+}
+
+using Directed = std::pair<Index, Index>;
+
+// The half-edges from one vertex to another; empty where two run the same way.
+std::map<Directed, Index> halfedges_by_ends(const Mesh& mesh) {
+  std::map<Directed, Index> found;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Directed ends{face[k], face[(k + 1) % face.size()]};
+      if (!found.emplace(ends, static_cast<Index>(mesh.face_offsets[f] + k)).second) return {};
+    }
+  }
+  return found;
+}
+
+// Edges as they are numbered: by their smaller vertex, and at one vertex in the order of faces, of
+// which the last half-edge comes first; by the larger vertex where there are many half-edges.
+std::vector<Index> edges_in_order(const Mesh& mesh) {
+  constexpr std::size_t kMany = 32;
+  struct Bucket {
+    std::vector<std::pair<Index, Index>> edges;  // larger vertex, half-edge
+    std::size_t halfedges = 0;
+  };
+  std::vector<Bucket> buckets(mesh.points.size());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::size_t k = (i + face.size() - 1) % face.size();
+      const auto [small, large] = std::minmax(face[k], face[(k + 1) % face.size()]);
+      Bucket& bucket = buckets[small];
+      ++bucket.halfedges;
+      const auto known = std::find_if(bucket.edges.begin(), bucket.edges.end(),
+                                      [&, w = large](const auto& e) { return e.first == w; });
+      if (known != bucket.edges.end()) continue;
+      bucket.edges.emplace_back(large, static_cast<Index>(mesh.face_offsets[f] + k));
+    }
+  }
+  std::vector<Index> order;
+  for (Bucket& bucket : buckets) {
+    if (bucket.halfedges > kMany) std::sort(bucket.edges.begin(), bucket.edges.end());
+    for (const auto& edge : bucket.edges) order.push_back(edge.second);
+  }
+  return order;
+}
+
+void expect_edges(const Topology& t, const std::vector<Index>& order) {
+  ASSERT_EQ(t.edge_count(), order.size());
+  for (Index e = 0; e < order.size(); ++e) {
+    EXPECT_EQ(t.edge_halfedge(e), order[e]);
+    EXPECT_EQ(t.edge(order[e]), e);
+    const Index other = t.opposite(order[e]);
+    if (other != kNone) EXPECT_EQ(t.edge(other), e);
+  }
+}
+
+// Faces on few vertices, so that all that can happen at a vertex does.
+Mesh random_faces(std::mt19937& random) {
+  const auto below = [&](std::size_t n) { return static_cast<Index>(random() % n); };
+  const Index n = 4 + below(9);
+  std::vector<Face> faces(1 + below(12));
+  std::vector<Index> vertices(n);
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  const bool triangles = below(2) == 0;
+  for (Face& face : faces) {
+    std::shuffle(vertices.begin(), vertices.end(), random);
+    face.assign(vertices.begin(), vertices.begin() + (triangles ? 3 : 3 + below(2)));
+  }
+  return samples::faces(n, faces);
+}
+
+// The starts of a vertex's fans: of open ones first, each kind in the order of half-edges; a closed
+// fan starts at its smallest.
+std::vector<Index> fan_starts(const Topology& t, Index v, const std::map<Directed, Index>& all) {
+  std::vector<Index> leaving;
+  for (const auto& [ends, h] : all) {
+    if (ends.first == v) leaving.push_back(h);
+  }
+  std::sort(leaving.begin(), leaving.end());
+  std::vector<Index> starts;
+  std::set<Index> seen;
+  for (const bool open : {true, false}) {
+    for (const Index start : leaving) {
+      if (seen.contains(start) || (open && all.contains({t.head(start), v}))) continue;
+      starts.push_back(start);
+      for (Index h = start; seen.insert(h).second;) {
+        const auto next = all.find({v, t.tail(t.previous(h))});
+        if (next == all.end()) break;
+        h = next->second;
+      }
+    }
+  }
+  return starts;
 }
 
 Error refusal_of(const Mesh& mesh) {
@@ -233,6 +329,70 @@ TEST(Topology, EdgesAreNumberedByTheirSmallerVertex) {
     const auto [a, b] = t.edge_vertices(e);
     EXPECT_GE(std::min(a, b), last);
     last = std::min(a, b);
+  }
+}
+
+TEST(Topology, AnyFacesAgreeWithASearchThroughAllOfThem) {
+  std::mt19937 random(3);
+  int accepted = 0;
+  int bowties = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const Mesh mesh = random_faces(random);
+    const auto all = halfedges_by_ends(mesh);
+    const auto topology = Topology::build(mesh);
+    ASSERT_EQ(topology.has_value(), !all.empty());
+    if (!topology) continue;
+    ++accepted;
+    const Topology& t = *topology;
+    Index boundary = 0;
+    for (const auto& [ends, h] : all) {
+      const auto opposite = all.find({ends.second, ends.first});
+      EXPECT_EQ(t.opposite(h), opposite == all.end() ? kNone : opposite->second);
+      if (opposite == all.end()) ++boundary;
+    }
+    EXPECT_EQ(t.boundary_edge_count(), boundary);
+    for (Index v = 0; v < t.vertex_count(); ++v) {
+      std::vector<Index> starts = t.further_fans(v);
+      if (t.is_bowtie(v)) ++bowties;
+      EXPECT_EQ(t.is_bowtie(v), !starts.empty());
+      if (!t.is_isolated(v)) starts.insert(starts.begin(), t.outgoing(v));
+      EXPECT_EQ(starts, fan_starts(t, v, all));
+    }
+    expect_edges(t, edges_in_order(mesh));
+  }
+  EXPECT_GT(accepted, 400);
+  EXPECT_GT(bowties, 100);
+}
+
+TEST(Topology, EdgesAreNumberedWhenAskedFor) {
+  for (const Mesh& mesh :
+       {samples::cube(), samples::grid(3), samples::torus(5, 7, false), samples::wheel(9, true),
+        samples::wheel(40, true), samples::wheel(40, false), samples::wheel(32, false)}) {
+    const std::vector<Index> order = edges_in_order(mesh);
+    const Topology t = built(mesh);
+    EXPECT_EQ(t.edge_count(), order.size());
+    const Topology copy = t;
+    expect_edges(copy, order);
+    expect_edges(t, order);
+  }
+}
+
+TEST(Topology, ManyThreadsMayAskForEdgesFirst) {
+  const Mesh mesh = samples::torus(60, 50, false);
+  const std::vector<Index> order = edges_in_order(mesh);
+  for (int round = 0; round < 20; ++round) {
+    const Topology t = built(mesh);
+    std::vector<std::size_t> wrong(4, 0);
+    std::vector<std::thread> threads;
+    for (std::size_t k = 0; k < wrong.size(); ++k) {
+      threads.emplace_back([&, k] {
+        for (Index e = 0; e < order.size(); ++e) {
+          wrong[k] += t.edge(order[e]) == e && t.edge_halfedge(e) == order[e] ? 0 : 1;
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, std::vector<std::size_t>(4, 0));
   }
 }
 
