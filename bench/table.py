@@ -12,6 +12,7 @@ import sys
 
 OURS = "Surpass"
 ANCHOR = "this machine"
+READING_ALONE = "OpenMesh less its topology"
 LARGE = 1000000
 LARGEST = 4000000
 BUSY = 0.9  # below this share of a core the wall clock says more about the neighbours
@@ -48,6 +49,26 @@ def gather(run):
 
 def median(figures, clock):
     return statistics.median(figures[clock])
+
+
+def add_reading_alone(groups):
+    """OpenMesh's readers always build connectivity: what it takes from arrays, in the same run, is
+    taken off, so that reading is beside reading."""
+    for (step, vertices), tools in groups.items():
+        if step not in ("read OBJ", "read PLY"):
+            continue
+        both = groups.get((step + " to topology", vertices), {}).get("OpenMesh")
+        topology = groups.get(("topology", vertices), {}).get("OpenMesh")
+        if both is None or topology is None:
+            continue
+        left = {c: median(both, c) - median(topology, c) for c in ("wall", "processor")}
+        if min(left.values()) <= 0:
+            continue
+        tools[READING_ALONE] = {
+            **both, "wall": [left["wall"]], "processor": [left["processor"]],
+            "counted": "IO::read_mesh less the median of its topology from arrays",
+            "wrong": both["wrong"] or topology["wrong"],
+        }
 
 
 def number(x):
@@ -149,6 +170,7 @@ REACH = [
     ("read OBJ", ANCHOR, "<=", 6, "aim"),
     ("read PLY", "Assimp", ">=", 7, ""),
     ("read PLY", "CGAL", ">=", 7, ""),
+    ("read PLY", READING_ALONE, ">=", 7, ""),
     ("read PLY to topology", "OpenMesh", ">=", 7, ""),
     ("read PLY", ANCHOR, "<=", 3.5, "aim"),
     ("topology", "CGAL", ">=", 2.5, ""),
@@ -274,6 +296,7 @@ def main():
         sys.exit(__doc__)
     run = load(sys.argv[1])
     groups = gather(run)
+    add_reading_alone(groups)
     wrong = any(f["wrong"] for tools in groups.values() for f in tools.values())
     print("\n".join([
         "# Surpass beside others", "",

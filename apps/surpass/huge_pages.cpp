@@ -1,27 +1,44 @@
 // Arrays of millions of numbers are filled once and thrown away soon. Half of the time that takes
-// is the kernel's, which hands memory out in small pages; so large blocks ask it for huge ones.
-// These are the operators that the standard lets a program replace.
+// is the kernel's, which clears memory and hands it out in small pages; so large blocks ask it for
+// huge ones, and are kept for the next array. These are the operators that the standard lets a
+// program replace.
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
-#include <sys/mman.h>
+#include "large_blocks.hpp"
 
 namespace {
 
-constexpr std::size_t kHugePage = std::size_t{1} << 21;
+using surpass::cli::LargeBlocks;
+
+// Never destroyed: others free their memory later.
+LargeBlocks& large_blocks() {
+  alignas(LargeBlocks) static std::byte place[sizeof(LargeBlocks)];
+  static LargeBlocks& blocks = *new (place) LargeBlocks(surpass::cli::system_pages());
+  return blocks;
+}
+
+void* allocate_small(std::size_t size, std::size_t alignment) {
+  const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) & ~(alignment - 1);
+  if (rounded < size) return nullptr;
+  void* block = std::aligned_alloc(alignment, rounded);
+  if (block != nullptr) return block;
+  large_blocks().give_back();
+  return std::aligned_alloc(alignment, rounded);
+}
 
 void* allocate(std::size_t size, std::size_t alignment) {
-  const bool large = size >= kHugePage;
-  if (large) alignment = std::max(alignment, kHugePage);
-  const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) & ~(alignment - 1);
-  void* block = rounded < size ? nullptr : std::aligned_alloc(alignment, rounded);
-  // A hint, so whether it is followed does not matter. What does not fill a page stays in small
-  // ones.
-  if (large && block != nullptr) ::madvise(block, size / kHugePage * kHugePage, MADV_HUGEPAGE);
+  void* block = size >= LargeBlocks::kHugePage ? large_blocks().allocate(size, alignment)
+                                               : allocate_small(size, alignment);
   if (block == nullptr) throw std::bad_alloc();
   return block;
+}
+
+void release(void* block) noexcept {
+  if (LargeBlocks::may_be(block) && large_blocks().free(block)) return;
+  std::free(block);
 }
 
 }  // namespace
@@ -30,7 +47,7 @@ void* operator new(std::size_t size) { return allocate(size, __STDCPP_DEFAULT_NE
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t) noexcept { std::free(block); }
-void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
+void operator delete(void* block) noexcept { release(block); }
+void operator delete(void* block, std::size_t) noexcept { release(block); }
+void operator delete(void* block, std::align_val_t) noexcept { release(block); }
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept { release(block); }

@@ -19,7 +19,7 @@ class Topology {
  public:
   /// O(#corners) time for bounded valences. Fails, naming the element, on indices out of range,
   /// faces with fewer than three or with repeated vertices, edges of more than two faces, and
-  /// neighbours of opposite orientation. Memory: 56 bytes a vertex for triangles, and 36 more once
+  /// neighbours of opposite orientation. Memory: 77 bytes a vertex for triangles, and 36 more once
   /// somebody asks for the number of an edge. Copies share both.
   static Result<Topology> build(const Mesh& mesh);
 
@@ -81,26 +81,25 @@ class Topology {
   // Vertices.
   /// A half-edge leaving v, or kNone for an isolated vertex. In an open fan it is the first spoke,
   /// the one on the boundary from which `rotate` reaches every face of the fan.
-  [[nodiscard]] Index outgoing(Index v) const { return vertices_[v].outgoing; }
-  [[nodiscard]] bool is_isolated(Index v) const { return outgoing(v) == kNone; }
-  [[nodiscard]] bool is_boundary(Index v) const { return vertices_[v].boundary; }
+  [[nodiscard]] Index outgoing(Index v) const {
+    return is_isolated(v) ? kNone : around_[start_[v]];
+  }
+  [[nodiscard]] bool is_isolated(Index v) const { return faces_at(v) == 0; }
+  [[nodiscard]] bool is_boundary(Index v) const { return (kinds_[v] & kBoundary) != 0; }
   /// More than one fan of faces, open or closed.
-  [[nodiscard]] bool is_bowtie(Index v) const { return vertices_[v].bowtie; }
+  [[nodiscard]] bool is_bowtie(Index v) const { return (kinds_[v] & kBowtie) != 0; }
   /// One starting half-edge per fan of v beyond the first, as for `outgoing`.
   [[nodiscard]] std::vector<Index> further_fans(Index v) const;
 
   /// Number of faces at v, all fans together.
-  [[nodiscard]] Index faces_at(Index v) const { return vertices_[v].faces; }
+  [[nodiscard]] Index faces_at(Index v) const { return start_[v + 1] - start_[v]; }
   /// Number of edges at v, all fans together. O(1), but O(faces at v) for bow-ties.
   [[nodiscard]] Index valence(Index v) const;
 
   /// Calls visit(h) for every half-edge h leaving v, counterclockwise in each fan.
   template <class Visit>
   void for_each_outgoing(Index v, Visit&& visit) const {
-    visit_fan(outgoing(v), visit);
-    if (is_bowtie(v)) {
-      for (const Index start : further_fans(v)) visit_fan(start, visit);
-    }
+    for (Index k = start_[v]; k < start_[v + 1]; ++k) visit(around_[k]);
   }
 
   /// Calls visit(w, e) for every neighbour w along edge e, counterclockwise in each fan; in an open
@@ -119,31 +118,19 @@ class Topology {
   [[nodiscard]] Index boundary_edge_count() const { return boundary_edges_; }
 
  private:
-  struct Vertex {
-    Index outgoing;
-    Index faces : 30;  // enough, for a face has three corners or more
-    bool boundary : 1;
-    bool bowtie : 1;
-  };
+  static constexpr unsigned char kBoundary = 1;
+  static constexpr unsigned char kBowtie = 2;
   struct FurtherFan {
     Index vertex;
     Index start;
   };
-
-  template <class Visit>
-  void visit_fan(Index start, Visit&& visit) const {
-    for (Index h = start; h != kNone;) {
-      visit(h);
-      h = rotate(h);
-      if (h == start) return;
-    }
-  }
 
   // Visits each neighbour, and a half-edge between it and v.
   template <class Visit>
   void visit_spokes(Index v, Visit&& visit) const {
     for_each_outgoing(v, [&](Index h) {
       visit(head(h), h);
+      if (!is_boundary(v)) return;
       const Index p = previous(h);
       if (opposite_[p] == kNone) visit(tail(p), p);
     });
@@ -175,7 +162,11 @@ class Topology {
   std::vector<Index> face_of_;       // likewise
   std::shared_ptr<Index[]> face_vertices_;
   std::shared_ptr<Index[]> opposite_;
-  std::shared_ptr<Vertex[]> vertices_;
+  // Half-edges by the vertex that they leave, in the order of going around it: who goes around many
+  // vertices reads them one after the other, where `rotate` would wait for memory at every step.
+  std::shared_ptr<Index[]> around_;         // #corners
+  std::shared_ptr<Index[]> start_;          // #V + 1: of each vertex, in `around_`
+  std::shared_ptr<unsigned char[]> kinds_;  // #V
   std::shared_ptr<Edges> edges_ = std::make_shared<Edges>();
   std::vector<FurtherFan> further_fans_;  // ascending by vertex
   Index boundary_edges_ = 0;

@@ -85,38 +85,10 @@ bool is_sound(std::span<const Index> face, std::size_t vertex_count) {
   return false;
 }
 
-// The corners at each vertex, ascending.
-class CornersByVertex {
- public:
-  explicit CornersByVertex(Index vertex_count) : start_(std::size_t{vertex_count} + 2, 0) {}
-
-  void count(Index v) { ++start_[v + 2]; }
-  // Once all are counted.
-  void place(std::span<const Index> face_vertices) {
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    corners_.reset(new Index[face_vertices.size() + kAhead]);
-    // Vertex v starts at start_[v + 1] while filling, and at start_[v] once all are in place.
-    Index* const next = start_.data() + 1;
-    Index* const corners = corners_.get();
-    for (std::size_t h = 0; h < face_vertices.size(); ++h) {
-      corners[next[face_vertices[h]]++] = static_cast<Index>(h);
-    }
-    std::fill_n(corners + face_vertices.size(), kAhead, 0);
-  }
-  // kAhead more can be read beyond the end: those of the next vertices, or 0.
-  [[nodiscard]] std::span<const Index> operator[](Index v) const {
-    return {corners_.get() + start_[v], start_[v + 1] - start_[v]};
-  }
-
- private:
-  std::vector<Index> start_;
-  std::unique_ptr<Index[]> corners_;
-};
-
 // Checks the faces, copies them and counts corners in one pass.
 template <class Faces>
 std::optional<Error> take_faces(const Mesh& mesh, const Faces& faces, Index* face_vertices,
-                                CornersByVertex& corners) {
+                                Index* corners_at) {
   refusal::FaceCheck check(mesh);
   const std::size_t vertex_count = mesh.points.size();
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -128,10 +100,19 @@ std::optional<Error> take_faces(const Mesh& mesh, const Faces& faces, Index* fac
     }
     for (std::size_t k = 0; k < face.size(); ++k) {
       face_vertices[begin + k] = face[k];
-      corners.count(face[k]);
+      ++corners_at[face[k]];
     }
   }
   return std::nullopt;
+}
+
+// Sorts corners by their vertex, ascending at each. `next` holds where each vertex starts, and
+// afterwards where it ends.
+void sort_corners(std::span<const Index> face_vertices, Index* next, Index* corners) {
+  for (std::size_t h = 0; h < face_vertices.size(); ++h) {
+    corners[next[face_vertices[h]]++] = static_cast<Index>(h);
+  }
+  std::fill_n(corners + face_vertices.size(), kAhead, 0);
 }
 
 }  // namespace
@@ -143,12 +124,9 @@ class Topology::FanMatching {
   FanMatching(const Faces& faces, Topology& topology)
       : faces_(faces), topology_(topology), places_(topology.vertex_count_, 0) {}
 
-  // False if an edge has more than one half-edge in the same direction.
-  bool match(Index v, std::span<const Index> corners) {
-    topology_.vertices_[v] = {.outgoing = corners.empty() ? kNone : corners.front(),
-                              .faces = static_cast<Index>(corners.size()),
-                              .boundary = false,
-                              .bowtie = false};
+  // The corners of v are ascending before and in the order of going around after. False if an edge
+  // has more than one half-edge in the same direction.
+  bool match(Index v, std::span<Index> corners) {
     ask_for_next(corners);
     return corners.empty() || close_fan(corners) || match_any(v, corners);
   }
@@ -171,7 +149,7 @@ class Topology::FanMatching {
   }
 
   // One number of corners, one loop without branches.
-  bool close_fan(std::span<const Index> corners) {
+  bool close_fan(std::span<Index> corners) {
     switch (corners.size()) {
       case 3: return close_fan_of<3>(corners.data());
       case 4: return close_fan_of<4>(corners.data());
@@ -190,7 +168,7 @@ class Topology::FanMatching {
   // whoever comes from there finds it. The way around comes back to its start after all corners and
   // not before, so every place is found, and no end is there twice.
   template <std::size_t kCount>
-  bool close_fan_of(const Index* corners) {
+  bool close_fan_of(Index* corners) {
     Index entering[kCount];
     Index from[kCount];
     Index to[kCount];
@@ -209,16 +187,20 @@ class Topology::FanMatching {
       closed &= to[turn[c]] == from[c];
       opposite_[entering[c]] = corners[turn[c]];
     }
-    Index at = turn[0];
-    for (std::size_t c = 1; c < kCount; ++c) {
-      closed &= at != 0;
+    Index around[kCount];
+    Index at = 0;
+    for (std::size_t c = 0; c < kCount; ++c) {
+      closed &= (at == 0) == (c == 0);
+      around[c] = corners[at];
       at = turn[at];
     }
-    return closed && at == 0;
+    if (!closed || at != 0) return false;
+    std::copy_n(around, kCount, corners);
+    return true;
   }
 
   // Open fans, several fans, many corners.
-  bool match_any(Index v, std::span<const Index> corners) {
+  bool match_any(Index v, std::span<Index> corners) {
     leaving_.clear();
     entering_.clear();
     for (Index c = 0; c < corners.size(); ++c) {
@@ -252,29 +234,26 @@ class Topology::FanMatching {
   }
 
   // Open fans come first, so that no fan is entered in its middle.
-  void note_fans(Index v, std::span<const Index> corners) {
-    Vertex& vertex = topology_.vertices_[v];
-    vertex.outgoing = kNone;
+  void note_fans(Index v, std::span<Index> corners) {
+    ascending_.assign(corners.begin(), corners.end());
+    auto around = corners.begin();
+    const auto note_fan = [&](Index start) {
+      if (around != corners.begin()) {
+        topology_.kinds_[v] |= kBowtie;
+        topology_.further_fans_.push_back({v, ascending_[start]});
+      }
+      for (Index c = start; c != kNone && corner_[c] != Corner::visited; c = turn_[c]) {
+        corner_[c] = Corner::visited;
+        *around++ = ascending_[c];
+      }
+    };
     for (Index c = 0; c < corners.size(); ++c) {
       if (corner_[c] != Corner::start_of_fan) continue;
-      vertex.boundary = true;
-      note_fan(v, corners, c);
+      topology_.kinds_[v] |= kBoundary;
+      note_fan(c);
     }
     for (Index c = 0; c < corners.size(); ++c) {
-      if (corner_[c] != Corner::visited) note_fan(v, corners, c);
-    }
-  }
-
-  void note_fan(Index v, std::span<const Index> corners, Index start) {
-    Vertex& vertex = topology_.vertices_[v];
-    if (vertex.outgoing == kNone) {
-      vertex.outgoing = corners[start];
-    } else {
-      vertex.bowtie = true;
-      topology_.further_fans_.push_back({v, corners[start]});
-    }
-    for (Index c = start; c != kNone && corner_[c] != Corner::visited; c = turn_[c]) {
-      corner_[c] = Corner::visited;
+      if (corner_[c] != Corner::visited) note_fan(c);
     }
   }
 
@@ -286,20 +265,24 @@ class Topology::FanMatching {
   // Of the corners at one vertex:
   std::vector<Spoke> leaving_;
   std::vector<Spoke> entering_;
+  std::vector<Index> ascending_;
   std::vector<Index> turn_;  // the next corner around, or kNone
   std::vector<Corner> corner_;
 };
 
 template <class Faces>
 Result<void> Topology::match(const Mesh& mesh, const Faces& faces) {
-  CornersByVertex corners(vertex_count_);
-  if (auto error = take_faces(mesh, faces, face_vertices_.get(), corners)) {
+  // Vertex v starts at start_[v + 1] while its corners are sorted, and at start_[v] afterwards.
+  Index* const next = start_.get() + 1;
+  if (auto error = take_faces(mesh, faces, face_vertices_.get(), next + 1)) {
     return tl::make_unexpected(*std::move(error));
   }
-  corners.place({face_vertices_.get(), corner_count_});
+  std::partial_sum(next, next + vertex_count_, next);
+  sort_corners({face_vertices_.get(), corner_count_}, next, around_.get());
   FanMatching matching(faces, *this);
   for (Index v = 0; v < vertex_count_; ++v) {
-    if (!matching.match(v, corners[v])) return tl::make_unexpected(edge_conflict(mesh));
+    const std::span<Index> corners(around_.get() + start_[v], start_[v + 1] - start_[v]);
+    if (!matching.match(v, corners)) return tl::make_unexpected(edge_conflict(mesh));
   }
   return {};
 }
@@ -314,7 +297,9 @@ Result<Topology> Topology::build(const Mesh& mesh) {
   t.corner_count_ = mesh.corner_count();
   t.face_vertices_.reset(new Index[t.corner_count_]);
   t.opposite_.reset(new Index[t.corner_count_]);
-  t.vertices_.reset(new Vertex[t.vertex_count_]);
+  t.start_.reset(new Index[std::size_t{t.vertex_count_} + 2]());
+  t.around_.reset(new Index[t.corner_count_ + kAhead]);
+  t.kinds_.reset(new unsigned char[t.vertex_count_]());
   t.common_degree_ = degree_of_all_faces(mesh);
   Result<void> matched;
   if (t.common_degree_ == 3) {

@@ -89,7 +89,9 @@ void expect_edges(const Topology& t, const std::vector<Index>& order) {
     EXPECT_EQ(t.edge_halfedge(e), order[e]);
     EXPECT_EQ(t.edge(order[e]), e);
     const Index other = t.opposite(order[e]);
-    if (other != kNone) EXPECT_EQ(t.edge(other), e);
+    if (other != kNone) {
+      EXPECT_EQ(t.edge(other), e);
+    }
   }
 }
 
