@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "interpolate/a_priori.hpp"
+#include "interpolate/chebyshev.hpp"
 #include "interpolate/choose_solver.hpp"
-#include "interpolate/wavefront.hpp"
 
 namespace surpass {
 namespace {
@@ -83,16 +83,13 @@ class BlockSolver {
   }
 
   Result<BlockOutcome> solve_blind() {
-    const Block& block = system_.block;
-    const SemiIteration start = solver_ == Solver::richardson
-                                    ? SemiIteration::richardson()
-                                    : SemiIteration::chebyshev(block.lowest);
     const double tolerance = rule_.tolerance * rule_.unit * system_.scale;
     const unsigned sweeps = sweeps_needed(system_, solver_, task_.x, tolerance);
-    const OrderedRows* rows = rows_to_sweep(system_);
-    const bool done = rows != nullptr
-                          ? wavefront_iteration_blind(*rows, system_, start, sweeps, task_.x)
-                          : semi_iteration_blind(system_, start, sweeps, task_.x);
+    const bool done =
+        solver_ == Solver::richardson
+            ? semi_iteration_blind(system_, SemiIteration::richardson(), sweeps, task_.x)
+            : chebyshev_iteration_blind(system_, SemiIteration::chebyshev(system_.block.lowest),
+                                        sweeps, task_.x);
     if (!done) return cancelled();
     std::vector<double> r(system_.values(), 0.0);
     Monitor monitor(rule_, system_);

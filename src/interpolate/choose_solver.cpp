@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "interpolate/wavefront.hpp"
+#include "interpolate/chebyshev.hpp"
 
 namespace surpass {
 namespace {
@@ -19,9 +19,8 @@ double interval_begin(const Block& block) {
 
 Verdict chebyshev(const LinearSystem& system, Monitor& monitor, std::span<double> x) {
   const SemiIteration start = SemiIteration::chebyshev(interval_begin(system.block));
-  const OrderedRows* rows = rows_to_sweep(system);
-  return rows != nullptr ? wavefront_iteration(*rows, system, start, monitor, x)
-                         : semi_iteration(system, start, monitor, x);
+  return monitor.wants_each() ? semi_iteration(system, start, monitor, x)
+                              : chebyshev_iteration(system, start, monitor, x);
 }
 
 }  // namespace
@@ -56,10 +55,8 @@ void order_rows_for(const InterpolateOptions& options, const LimitOperator& op, 
   if (block.vertices.empty()) return;
   const bool automatic = options.solver == Solver::automatic;
   const Solver solver = automatic ? choose_solver(block) : options.solver;
-  const bool sweeps = solver == Solver::chebyshev || solver == Solver::richardson ||
-                      (automatic && is_worth_chebyshev(block));
-  const bool tests_each = options.full_history || solver == Solver::richardson;
-  if (!sweeps || (tests_each && !options.direct)) return;
+  const bool sweeps = solver == Solver::chebyshev || (automatic && is_worth_chebyshev(block));
+  if (!sweeps || (options.full_history && !options.direct)) return;
   auto rows = order_rows(op.rows, block.vertices);
   if (!rows) return;
   block.spare = std::make_shared<SpareArrays>();

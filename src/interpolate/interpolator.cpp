@@ -65,6 +65,31 @@ Result<void> require_finite(std::span<const double> values, std::size_t width, c
   return {};
 }
 
+struct Start {
+  std::vector<Point> points;
+  Box box;
+};
+
+// A copy of the points, checked and measured. Done piece by piece, so that memory is read once.
+Result<Start> start_from(std::span<const Point> points) {
+  constexpr std::size_t kPiece = 1024;
+  Start start{{}, bounding_box(points.first(std::min<std::size_t>(1, points.size())))};
+  start.points.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); i += kPiece) {
+    const auto piece = points.subspan(i, std::min(kPiece, points.size() - i));
+    if (!require_finite(flat(piece), 3, "a coordinate")) {
+      return tl::make_unexpected(require_finite(flat(points), 3, "a coordinate").error());
+    }
+    const Box box = bounding_box(piece);
+    for (std::size_t k = 0; k < 3; ++k) {
+      start.box.low[k] = std::min(start.box.low[k], box.low[k]);
+      start.box.high[k] = std::max(start.box.high[k], box.high[k]);
+    }
+    start.points.insert(start.points.end(), piece.begin(), piece.end());
+  }
+  return start;
+}
+
 // The unit of errors: the largest side of the box, or a stand-in where all points coincide.
 Result<double> unit_of(const Box& box) {
   const double side = box.side();
@@ -219,13 +244,13 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   }
   const std::size_t n = points.size();
   const std::span<const double> target = flat(points);
-  if (auto ok = require_finite(target, 3, "a coordinate"); !ok)
-    return tl::make_unexpected(ok.error());
-  const Box box = bounding_box(points);
+  auto start = start_from(points);
+  if (!start) return tl::make_unexpected(start.error());
+  const Box box = start->box;
   const auto unit = unit_of(box);
   if (!unit) return tl::make_unexpected(unit.error());
 
-  Solution solution{{points.begin(), points.end()}, {}, {}};
+  Solution solution{std::move(start->points), {}, {}};
   SolveReport& report = solution.report;
   report.box_side = box.side();
   const std::array<Point, 2> corners = {box.low, box.high};  // no coordinate is farther from 0

@@ -41,6 +41,9 @@ class Monitor {
   [[nodiscard]] double tolerance() const { return rule_.tolerance; }
   [[nodiscard]] unsigned iterations_left() const { return rule_.max_iterations - last_.iteration; }
 
+  /// Every evaluation is to be recorded.
+  [[nodiscard]] bool wants_each() const { return rule_.full_history; }
+
   [[nodiscard]] unsigned iterations() const { return last_.iteration; }
   [[nodiscard]] const Iteration& first() const { return first_; }
   [[nodiscard]] const Iteration& last() const { return last_; }

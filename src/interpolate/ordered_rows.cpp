@@ -109,7 +109,8 @@ class Orderer {
               [](const Row& a, const Row& b) { return a.weights < b.weights; });
     for (const auto& [v, weights] : lists_) {
       const Index begin = std::exchange(level.end, level.end + next_[weights]);
-      out_.runs.push_back({begin, level.end, rows_.row_length(v), weights, entries_, true});
+      out_.runs.push_back({begin, level.end, rows_.row_length(v), weights, entries_, true,
+                           weights_alike(rows_.row_weights(v))});
       entries_ += (level.end - begin) * rows_.row_length(v);
       next_[weights] = begin;
     }

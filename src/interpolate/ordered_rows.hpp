@@ -1,8 +1,10 @@
 // The rows of a block, put into an order in which they are fast to sweep over.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "scheme/sparse_rows.hpp"
@@ -21,6 +23,7 @@ struct OrderedRows {
     Index weights;   ///< where its weights start in `weights`
     Index columns;   ///< where its first row's columns start
     bool own_first;  ///< the first entry of each row is its own place
+    bool alike;      ///< all weights but the first are the same; see weights_alike
   };
 
   /// Columns are places times this: numbers in arrays of so many a place, ready to be added.
@@ -47,6 +50,13 @@ struct OrderedRows {
     return is_near() && level > 0 ? level_begin(level - 1) : 0;
   }
 };
+
+/// Whether all weights of a row but the first are the same, as around a vertex of a Loop surface:
+/// in sweeps of single precision they are multiplied once, with the sum of what they are for.
+[[nodiscard]] inline bool weights_alike(std::span<const double> weights) {
+  return weights.size() > 1 &&
+         std::all_of(weights.begin() + 2, weights.end(), [&](double w) { return w == weights[1]; });
+}
 
 /// The rows of `block` (ascending). Nothing if some row reads farther than the neighbouring levels,
 /// which rows that do not see each other mutually can. O(#entries), and sorting inside levels.

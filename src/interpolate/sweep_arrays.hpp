@@ -9,16 +9,23 @@
 
 namespace surpass {
 
-/// The target and two points of a semi-iteration, which is all that it needs of them.
+/// In double precision the target and a point, in single precision the point's residual and two
+/// corrections of it, which take turns.
 struct SweepArrays {
   std::size_t size = 0;  ///< numbers that each has
   std::unique_ptr<double[]> target = nullptr;
-  std::array<std::unique_ptr<double[]>, 2> points = {};
+  std::unique_ptr<double[]> point = nullptr;
+  std::unique_ptr<float[]> residual = nullptr;
+  std::array<std::unique_ptr<float[]>, 2> corrections = {};
 
   /// Nothing is cleared: fresh memory costs more to touch than to fill.
   static SweepArrays of(std::size_t size) {
-    const auto make = [&] { return std::make_unique_for_overwrite<double[]>(size); };
-    return {size, make(), {make(), make()}};
+    const auto make = [&] { return std::make_unique_for_overwrite<float[]>(size); };
+    return {size,
+            std::make_unique_for_overwrite<double[]>(size),
+            std::make_unique_for_overwrite<double[]>(size),
+            make(),
+            {make(), make()}};
   }
 };
 

@@ -1,8 +1,8 @@
-// One sweep of a semi-iteration over one level of ordered rows.
+// One stage of the sweeps of sweeps.hpp over one level of ordered rows.
 #pragma once
 
-#include "interpolate/linear_system.hpp"
 #include "interpolate/ordered_rows.hpp"
+#include "interpolate/sweeps.hpp"
 
 namespace surpass {
 
@@ -12,27 +12,45 @@ namespace surpass {
   return OrderedRows::kStride * (width <= OrderedRows::kStride ? 1 : 2);
 }
 
-/// The arrays, each with a number to spare behind the last place: registers hold four, and the
-/// fourth of three is loaded, but never used or stored.
-struct SweepPoints {
-  const double* target;
-  const double* current;
-  const double* previous;
-  double* next;  ///< in the place of the previous one, but for the first two sweeps
+// All arrays have a number to spare behind the last place: registers hold four, and the fourth of
+// three is loaded, but never used or stored. Of the places next to the level's and the neighbouring
+// ones', the first number may be read. Right-hand sides are `width`, 4 at most.
+
+/// A sweep of the correction.
+struct CorrectionSweep {
+  SweepStep step;
+  const float* residual;
+  const float* current;
+  float* next;  ///< in the place of the correction before
+  bool fresh;   ///< there is none before: it counts as 0
+  /// Where this is the last sweep before the residual: `to` = `from` + the new correction times
+  /// `unit`, and what comes to `next` is by how much the sweep moved. Else null.
+  const double* from;
+  double* to;
+  double unit;
 };
 
-/// Coefficients of one sweep.
-struct SweepStep {
-  double momentum;
-  double step;
-};
-
-/// next = current + momentum * (current - previous) + step * (target - L current), with the
-/// operations of LinearSystem::sweep in their order. Of the places next to the level's and the
-/// neighbouring ones', the first number may be read. With `norms`, the errors of `current`, times
-/// `scale`, are added to them. At most 4 right-hand sides.
+/// next = current + momentum (current - previous) + step (residual - L current).
 void sweep_level(const OrderedRows& rows, std::size_t level, std::size_t width,
-                 const SweepPoints& points, const SweepStep& sweep, double scale,
-                 ErrorNorms* norms);
+                 const CorrectionSweep& sweep);
+
+/// The residual of a point, measured, and the first sweep from it.
+struct ResidualSweep {
+  SweepStep step;
+  const double* target;
+  const double* point;
+  double norm_scale;  ///< of the norms
+  double scale;       ///< of the residual that is stored
+  float* residual;
+  /// Enters holding by how much the last sweep moved, unless `fresh`: then by nothing. Leaves
+  /// holding momentum times that + step * residual.
+  float* correction;
+  bool fresh;
+};
+
+/// residual = (target - L point) * scale, with the operations of LinearSystem::residual in their
+/// order. Its errors are added to `norms`.
+void measure_level(const OrderedRows& rows, std::size_t level, std::size_t width,
+                   const ResidualSweep& sweep, ErrorNorms& norms);
 
 }  // namespace surpass

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
+#include <utility>
 
 namespace surpass {
 namespace {
@@ -20,31 +20,52 @@ Wavefront::Wavefront(const OrderedRows& rows, const LinearSystem& system, std::s
     : rows_(rows),
       system_(system),
       stride_(sweep_stride(system.width)),
+      scale_(correction_scale(system)),
       arrays_(system.block.spare->take(rows.vertices.size() * stride_ + 1)) {
   for (std::size_t i = rows.row_count; i < rows.vertices.size(); ++i) {
     const double* known = x.data() + rows.vertices[i] * system.width;
-    for (const auto& array : {&arrays_.target, &arrays_.points[0], &arrays_.points[1]}) {
-      double* place = array->get() + i * stride_;
+    for (double* array : {arrays_.target.get(), arrays_.point.get()}) {
+      double* place = array + i * stride_;
       std::fill(std::copy_n(known, system.width, place), place + stride_, 0.0);
+    }
+    for (const auto& array : arrays_.corrections) {
+      std::fill_n(array.get() + i * stride_, stride_, 0.0F);
     }
   }
 }
 
 Wavefront::~Wavefront() { system_.block.spare->give_back(std::move(arrays_)); }
 
-// The target is the first point and is not overwritten, so the other two arrays take turns.
-double* Wavefront::point(std::size_t sweeps) const {
-  return sweeps == 0 ? arrays_.target.get() : arrays_.points[sweeps % 2].get();
+// Calls use(i, v * width) for the level's places and their vertices v. Where these lie in `array`
+// looks random, so memory is asked for ahead.
+template <class Use>
+void Wavefront::for_vertices(std::size_t level, const double* array, Use&& use) const {
+  constexpr Index kAhead = 24;
+  const std::size_t width = system_.width;
+  const Index end = rows_.level_begin(level + 1);
+  const Index* vertices = rows_.vertices.data();
+  for (Index i = rows_.level_begin(level); i < end; ++i) {
+    if (i + kAhead < rows_.row_count) {
+      const double* ahead = array + vertices[i + kAhead] * width;
+      __builtin_prefetch(ahead);
+      __builtin_prefetch(ahead + width - 1);
+    }
+    use(i, vertices[i] * width);
+  }
 }
 
 void Wavefront::gather(std::size_t level) const {
-  const std::size_t width = system_.width;
-  const Index end = rows_.level_begin(level + 1);
-  double* place = arrays_.target.get() + rows_.level_begin(level) * stride_;
-  for (Index i = rows_.level_begin(level); i < end; ++i, place += stride_) {
-    const double* from = system_.target.data() + rows_.vertices[i] * width;
-    for (std::size_t c = 0; c < stride_; ++c) place[c] = c < width ? from[c] : 0;
-  }
+  const double* from = system_.target.data();
+  for_vertices(level, from, [&](Index i, std::size_t at) {
+    double* place = arrays_.target.get() + i * stride_;
+    for (std::size_t c = 0; c < stride_; ++c) place[c] = c < system_.width ? from[at + c] : 0;
+  });
+}
+
+void Wavefront::hand_out(std::size_t level, double* out) const {
+  for_vertices(level, out, [&](Index i, std::size_t at) {
+    std::copy_n(arrays_.point.get() + i * stride_, system_.width, out + at);
+  });
 }
 
 // How many fronts a group of stages is through with. The next group waits here, asleep.
@@ -62,14 +83,80 @@ struct Wavefront::Passage {
   }
 };
 
-// A stage is a sweep or, before the first of them, the gathering of the target; at front f, stage s
-// is at level f - s. So the sweep before has passed the next level: all that this one reads is
-// there, and what it overwrites is not needed any more. Another thread has to be a front further,
-// as the first number of the level after that may be read as well.
-bool Wavefront::go(const Group& group, std::span<const Sweep> sweeps, Errors& errors,
-                   const std::function<void(double)>& tick) const {
+// What happens between two residuals, in stages that follow each other at a distance of a level:
+// the target is gathered and its residual measured, if this is the start, then come the sweeps, the
+// last of which moves the point, and the residual of that.
+struct Wavefront::Round {
+  std::span<const SweepStep> steps;
+  bool is_start;
+  std::span<double> out;
+  SweepErrors errors = {};
+
+  [[nodiscard]] std::size_t before() const { return is_start ? 2 : 0; }
+  [[nodiscard]] std::size_t evaluations() const { return steps.size() - (is_start ? 1 : 0); }
+  /// With the residual of the new point one evaluation more.
+  [[nodiscard]] std::size_t sweeps() const { return evaluations() == 0 ? 0 : evaluations() - 1; }
+  /// The first sweep is part of measuring; if it is the only one, moving the point is a stage.
+  [[nodiscard]] std::size_t moves() const { return evaluations() == 1 ? 1 : 0; }
+  [[nodiscard]] std::size_t stages() const {
+    return before() + sweeps() + moves() + (evaluations() == 0 ? 0 : 1);
+  }
+};
+
+void Wavefront::measure(std::size_t level, Round& round, bool is_start) const {
+  const ResidualSweep sweep{
+      .step = is_start ? round.steps.front() : round.steps.back(),
+      .target = arrays_.target.get(),
+      .point = is_start ? arrays_.target.get() : arrays_.point.get(),
+      .norm_scale = system_.scale,
+      .scale = scale_,
+      .residual = arrays_.residual.get(),
+      .correction = is_start ? correction(0) : correction(round.sweeps()),
+      .fresh = is_start,
+  };
+  measure_level(rows_, level, system_.width, sweep,
+                is_start ? round.errors.start : round.errors.last);
+}
+
+void Wavefront::sweep(std::size_t level, const Round& round, std::size_t at) const {
+  const bool is_last = at + 1 == round.sweeps();
+  const CorrectionSweep sweep{
+      .step = round.steps[at + (round.is_start ? 1 : 0)],
+      .residual = arrays_.residual.get(),
+      .current = correction(at),
+      .next = correction(at + 1),
+      .fresh = at == 0,
+      .from = point(),
+      .to = is_last ? arrays_.point.get() : nullptr,
+      .unit = 1 / scale_,
+  };
+  sweep_level(rows_, level, system_.width, sweep);
+}
+
+void Wavefront::move(std::size_t level) const {
+  const double unit = 1 / scale_;
+  const std::size_t end = rows_.level_begin(level + 1) * stride_;
+  for (std::size_t at = rows_.level_begin(level) * stride_; at < end; ++at) {
+    arrays_.point[at] = point()[at] + static_cast<double>(correction(0)[at]) * unit;
+  }
+}
+
+void Wavefront::run_stage(std::size_t stage, std::size_t level, Round& round) const {
+  if (round.is_start && stage == 0) return gather(level);
+  if (round.is_start && stage == 1) return measure(level, round, true);
+  const std::size_t at = stage - round.before();
+  if (at < round.sweeps()) return sweep(level, round, at);
+  if (stage + 1 < round.stages()) return move(level);
+  measure(level, round, false);
+  if (!round.out.empty()) hand_out(level, round.out.data());
+}
+
+// At front f, stage s is at level f - s. So the stage before has passed the next level: all that
+// this one reads is there, and what it overwrites is not needed any more. Another thread has to be
+// a front further, as the first number of the level after that may be read as well.
+bool Wavefront::go(const Group& group, Round& round, const Tick& tick) const {
   const std::size_t levels = rows_.level_count();
-  const std::size_t fronts = levels + gathers() + sweeps.size() - 1;
+  const std::size_t fronts = levels + round.stages() - 1;
   const std::size_t between_ticks = fronts / 32 + 1;
   bool completed = true;
   for (std::size_t front = 0; front < fronts && completed; ++front) {
@@ -79,17 +166,7 @@ bool Wavefront::go(const Group& group, std::span<const Sweep> sweeps, Errors& er
       tick(static_cast<double>(front) / static_cast<double>(fronts));
     }
     for (std::size_t stage = group.begin; stage < std::min(front + 1, group.end); ++stage) {
-      const std::size_t level = front - stage;
-      if (level >= levels) continue;
-      if (stage < gathers()) {
-        gather(level);
-        continue;
-      }
-      const std::size_t s = stage - gathers();
-      const std::size_t k = done_ + s;
-      const SweepPoints points{point(0), point(k), point(k == 0 ? 0 : k - 1), point(k + 1)};
-      ErrorNorms* norms = s + 1 == sweeps.size() ? &errors.last : k == 0 ? &errors.start : nullptr;
-      sweep_level(rows_, level, system_.width, points, sweeps[s], system_.scale, norms);
+      if (front - stage < levels) run_stage(stage, front - stage, round);
     }
     if (group.after != nullptr) group.after->pass(front + 1);
   }
@@ -97,13 +174,13 @@ bool Wavefront::go(const Group& group, std::span<const Sweep> sweeps, Errors& er
   return completed;
 }
 
-std::optional<Wavefront::Errors> Wavefront::advance(std::span<const Sweep> sweeps,
-                                                    const std::function<void(double)>& tick) {
-  const std::size_t stages = gathers() + sweeps.size();
-  Errors errors;
+std::optional<SweepErrors> Wavefront::advance(std::span<const SweepStep> sweeps, const Tick& tick,
+                                              std::span<double> out) {
+  Round round{sweeps, done_ == 0, out};
+  const std::size_t stages = round.stages();
   bool completed = false;
   if (sweeps.size() < kSweepsToShare || rows_.row_count < kRowsToShare) {
-    completed = go({0, stages, nullptr, nullptr}, sweeps, errors, tick);
+    completed = go({0, stages, nullptr, nullptr}, round, tick);
   } else {
     // Two threads: the earlier half of the stages, and behind it the later one.
     const std::size_t half = stages / 2;
@@ -113,103 +190,28 @@ std::optional<Wavefront::Errors> Wavefront::advance(std::span<const Sweep> sweep
     parallel::run_beside(
         system_.context,
         [&] {
-          earlier = go({0, half, nullptr, &passage}, sweeps, errors, tick);
+          earlier = go({0, half, nullptr, &passage}, round, tick);
         },
         [&] {
-          later = go({half, stages, &passage, nullptr}, sweeps, errors, {});
+          later = go({half, stages, &passage, nullptr}, round, {});
         });
     completed = earlier && later;
   }
   if (!completed) return std::nullopt;
-  if (done_ == 0 && sweeps.size() == 1) errors.start = errors.last;
+  if (round.evaluations() == 0) round.errors.last = round.errors.start;
+  newest_ = (newest_ + round.sweeps()) % 2;
   done_ += sweeps.size();
-  return errors;
+  return round.errors;
 }
 
-void Wavefront::copy(std::size_t sweeps, std::span<double> x) const {
-  const double* from = point(sweeps);
+void Wavefront::copy_measured(std::span<double> x) const {
+  const double* from = point();
   const std::size_t width = system_.width;
   parallel::for_ranges(system_.context, rows_.row_count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       std::copy_n(from + i * stride_, width, x.data() + rows_.vertices[i] * width);
     }
   });
-}
-
-namespace {
-
-constexpr unsigned kMostSweeps = 64;  // at once: more of them would leave the cache
-
-std::vector<Wavefront::Sweep> next_sweeps(SemiIteration& coefficients, unsigned count) {
-  std::vector<Wavefront::Sweep> sweeps;
-  for (unsigned k = 0; k < count; ++k) {
-    sweeps.push_back({coefficients.momentum(), coefficients.step()});
-    coefficients.advance();
-  }
-  return sweeps;
-}
-
-// Sweeps that bring an error down by `factor`.
-unsigned likely_sweeps(double factor, double reduction) {
-  const double wanted = std::ceil(std::log(factor) / -std::log(reduction));
-  return static_cast<unsigned>(std::clamp(wanted, 1.0, double{kMostSweeps}));
-}
-
-// About half of the sweeps that points take which are a hundredth of the unit off: with how far the
-// limit is, the second pass is told how many are left.
-unsigned first_sweeps(const Monitor& monitor, double reduction) {
-  constexpr double kUsualError = 1e-2;
-  const double factor = std::max(1.0, kUsualError / monitor.tolerance());
-  return std::min(likely_sweeps(std::sqrt(factor), reduction), monitor.iterations_left());
-}
-
-}  // namespace
-
-Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
-                            SemiIteration coefficients, Monitor& monitor, std::span<double> x) {
-  const SemiIteration start = coefficients;
-  Wavefront front(rows, system, x);
-  unsigned count = first_sweeps(monitor, coefficients.reduction());
-  const auto advance = [&] {
-    return front.advance(next_sweeps(coefficients, count),
-                         [&](double part) { monitor.announce(part, count); });
-  };
-  auto errors = advance();
-  if (!errors) return Verdict::cancelled;
-  Verdict verdict = monitor.record(errors->start);
-  if (verdict != Verdict::go_on) {
-    front.copy_target(x);
-    return verdict;
-  }
-  if (count > 1) verdict = monitor.record(errors->last, count - 1);
-  while (verdict == Verdict::go_on) {
-    count = std::min(likely_sweeps(monitor.excess(), coefficients.reduction()),
-                     monitor.iterations_left());
-    errors = advance();
-    verdict = errors ? monitor.record(errors->last, count) : Verdict::cancelled;
-  }
-  if (verdict == Verdict::cancelled) return verdict;
-  front.copy_measured(x);
-  if (monitor.passed_best(verdict)) {
-    // The iteration is deterministic: its best point is found again by going there.
-    wavefront_iteration_blind(rows, system, start, monitor.best().iteration - 1, x);
-  }
-  return verdict;
-}
-
-bool wavefront_iteration_blind(const OrderedRows& rows, const LinearSystem& system,
-                               SemiIteration coefficients, unsigned sweeps, std::span<double> x) {
-  if (sweeps == 0) {
-    system.for_values([&](std::size_t at, std::size_t) { x[at] = system.target[at]; });
-    return true;
-  }
-  Wavefront front(rows, system, x);
-  for (unsigned done = 0; done < sweeps; done += kMostSweeps) {
-    const unsigned count = std::min(kMostSweeps, sweeps - done);
-    if (!front.advance(next_sweeps(coefficients, count))) return false;
-  }
-  front.copy_newest(x);
-  return true;
 }
 
 }  // namespace surpass

@@ -1,19 +1,17 @@
 // Many sweeps of a semi-iteration in one pass over memory.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "interpolate/ordered_rows.hpp"
-#include "interpolate/solvers.hpp"
 #include "interpolate/sweep_arrays.hpp"
 #include "interpolate/sweep_kernel.hpp"
 
 namespace surpass {
 
-/// The iterates of a semi-iteration on a block whose rows are ordered. `advance` has the same bits
-/// as LinearSystem::sweep repeated: every number comes from the same operations in the same order.
+/// The sweeps of sweeps.hpp on a block whose rows are ordered, with the bits of PlainSweeps: every
+/// number comes from the same operations in the same order.
 class Wavefront {
  public:
   static constexpr std::size_t kWidth = 4;  ///< right-hand sides at most
@@ -24,28 +22,19 @@ class Wavefront {
   Wavefront& operator=(const Wavefront&) = delete;
   ~Wavefront();
 
-  using Sweep = SweepStep;
+  /// As many evaluations of the limit as there are sweeps, at least one. The last is measured, and
+  /// so is the very first one; its sweep has no momentum. Nothing if cancelled, after which there
+  /// is no point to be copied. The measured point is also written to the block's part of `out`,
+  /// if there is one: that costs less than copying it afterwards.
+  std::optional<SweepErrors> advance(std::span<const SweepStep> sweeps, const Tick& tick = {},
+                                     std::span<double> out = {});
 
-  struct Errors {
-    ErrorNorms start;  ///< of the target itself, if these sweeps are the first
-    ErrorNorms last;   ///< of the point before the last sweep
-  };
-
-  /// Does all sweeps, at least one. Nothing if cancelled, after which there is no point to be
-  /// copied. The very first sweep has no momentum. `tick`, if there is one, is told now and then
-  /// which part is done.
-  std::optional<Errors> advance(std::span<const Sweep> sweeps,
-                                const std::function<void(double)>& tick = {});
-
-  /// What it started from, written to the block's part of x.
-  void copy_target(std::span<double> x) const { copy(0, x); }
   /// The point that was measured last, written to the block's part of x.
-  void copy_measured(std::span<double> x) const { copy(done_ - 1, x); }
-  /// The point after the last sweep.
-  void copy_newest(std::span<double> x) const { copy(done_, x); }
+  void copy_measured(std::span<double> x) const;
 
  private:
   struct Passage;
+  struct Round;
   struct Group {  // of stages that one thread does
     std::size_t begin;
     std::size_t end;
@@ -53,34 +42,37 @@ class Wavefront {
     Passage* after;
   };
 
-  /// The point after `sweeps` sweeps, which for the newest three of them is still there.
-  [[nodiscard]] double* point(std::size_t sweeps) const;
-  bool go(const Group& group, std::span<const Sweep> sweeps, Errors& errors,
-          const std::function<void(double)>& tick) const;
-  /// Stages before the sweeps.
-  [[nodiscard]] std::size_t gathers() const { return done_ == 0 ? 1 : 0; }
+  bool go(const Group& group, Round& round, const Tick& tick) const;
+  void run_stage(std::size_t stage, std::size_t level, Round& round) const;
+  template <class Use>
+  void for_vertices(std::size_t level, const double* array, Use&& use) const;
   void gather(std::size_t level) const;
-  void copy(std::size_t sweeps, std::span<double> x) const;
+  void hand_out(std::size_t level, double* out) const;
+  void measure(std::size_t level, Round& round, bool is_start) const;
+  void sweep(std::size_t level, const Round& round, std::size_t at) const;
+  void move(std::size_t level) const;
+
+  /// The target is the first point and stays where it is.
+  [[nodiscard]] const double* point() const {
+    return done_ <= 1 ? arrays_.target.get() : arrays_.point.get();
+  }
+  /// The correction after so many sweeps of a round.
+  [[nodiscard]] float* correction(std::size_t sweeps) const {
+    return arrays_.corrections[(newest_ + sweeps) % 2].get();
+  }
 
   const OrderedRows& rows_;
   const LinearSystem& system_;
   std::size_t stride_;
+  double scale_;  // of residual and corrections
   SweepArrays arrays_;
-  std::size_t done_ = 0;  // sweeps
+  std::size_t done_ = 0;    // evaluations
+  std::size_t newest_ = 0;  // which array has the correction
 };
 
 /// The ordered rows of the system's block, or null if it cannot be swept over with them.
 [[nodiscard]] inline const OrderedRows* rows_to_sweep(const LinearSystem& system) {
   return system.width <= Wavefront::kWidth ? system.block.ordered.get() : nullptr;
 }
-
-/// semi_iteration on ordered rows: the sweeps that are likely to be needed are done in two passes
-/// over memory, with a test after each.
-Verdict wavefront_iteration(const OrderedRows& rows, const LinearSystem& system,
-                            SemiIteration coefficients, Monitor& monitor, std::span<double> x);
-
-/// semi_iteration_blind on ordered rows.
-bool wavefront_iteration_blind(const OrderedRows& rows, const LinearSystem& system,
-                               SemiIteration coefficients, unsigned sweeps, std::span<double> x);
 
 }  // namespace surpass
