@@ -121,8 +121,8 @@ struct SimilaritySolution {
 /// that is in no other vertex's mean. It is expressed by the others, so that whatever these are the
 /// surface interpolates, to rounding: there is no mesh that cannot be interpolated, and no
 /// iteration that must converge. (On Doo-Sabin surfaces vertices of two faces share theirs with
-/// their neighbours, and are solved for together.) Movable, immutable after creation; `solve` may be called from
-/// several threads.
+/// their neighbours, and are solved for together.) Movable, immutable after creation; `solve` may
+/// be called from several threads.
 ///
 /// Sources: Lai and Cheng, Similarity based interpolation using Catmull-Clark subdivision surfaces,
 /// 2006 (`directions`; its weights, its norm of the residual and its derivatives at extraordinary
