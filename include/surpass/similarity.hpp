@@ -119,10 +119,10 @@ struct SimilaritySolution {
 ///
 /// The limit point of every given vertex is a weighted mean of control points, with one among them
 /// that is in no other vertex's mean. It is expressed by the others, so that whatever these are the
-/// surface interpolates, to rounding: there is no mesh that cannot be interpolated, but for
-/// neighbouring vertices of two faces each on Doo-Sabin surfaces, and no iteration that must
-/// converge. Movable, immutable after creation; `solve` may be called from
-/// several threads.
+/// surface interpolates, to rounding: there is no mesh that cannot be interpolated, and no
+/// iteration that must converge. (On Doo-Sabin surfaces vertices of two faces share theirs with
+/// their neighbours, and are solved for together.) Movable, immutable after creation; `solve` may
+/// be called from several threads.
 ///
 /// Sources: Lai and Cheng, Similarity based interpolation using Catmull-Clark subdivision surfaces,
 /// 2006 (`directions`; its weights, its norm of the residual and its derivatives at extraordinary

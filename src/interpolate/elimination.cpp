@@ -1,5 +1,6 @@
 #include "interpolate/elimination.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surpass {
@@ -17,6 +18,7 @@ Result<Elimination> Elimination::build(SparseRows limits, Index control_points,
   e.dependent_.assign(n, kNone);
   e.pivot_.assign(n, 0.0);
   e.given_of_.assign(control_points, kNone);
+  std::vector<Index> stuck;  // rows without a column of their own
   for (Index i = 0; i < n; ++i) {
     if (!released.empty() && released[i] != 0) continue;
     for (Index k = 0; k < e.limits_.row_length(i); ++k) {
@@ -27,15 +29,59 @@ Result<Elimination> Elimination::build(SparseRows limits, Index control_points,
       e.pivot_[i] = weight;
     }
     if (e.dependent_[i] == kNone) {
-      return fail(ErrorCode::singular,
-                  "every control point that decides this vertex's limit also decides another's",
-                  {.vertex = i});
+      stuck.push_back(i);
+    } else {
+      e.given_of_[e.dependent_[i]] = i;
     }
-    e.given_of_[e.dependent_[i]] = i;
+  }
+  if (!stuck.empty()) {
+    if (auto ok = e.couple(stuck); !ok) return tl::make_unexpected(ok.error());
   }
   if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
   e.find_dependents_of_free();
   return e;
+}
+
+Result<void> Elimination::couple(const std::vector<Index>& stuck) {
+  for (const Index i : stuck) {
+    for (Index k = 0; k < limits_.row_length(i); ++k) {
+      const Index j = limits_.row_columns(i)[k];
+      const double weight = limits_.row_weights(i)[k];
+      if (given_of_[j] != kNone || std::abs(weight) <= std::abs(pivot_[i])) continue;
+      dependent_[i] = j;
+      pivot_[i] = weight;
+    }
+    if (dependent_[i] != kNone) given_of_[dependent_[i]] = i;
+  }
+  // They, and those that have what they depend on.
+  std::vector<unsigned char> taken(control_count(), 0);
+  for (const Index i : stuck) {
+    if (dependent_[i] != kNone) taken[dependent_[i]] = 1;
+  }
+  std::vector<Index> together;
+  std::vector<Index> pivots;
+  for (Index i = 0; i < given_count(); ++i) {
+    if (dependent_[i] == kNone) continue;
+    const auto columns = limits_.row_columns(i);
+    const bool has =
+        std::any_of(columns.begin(), columns.end(), [&](Index j) { return taken[j] != 0; });
+    if (!has) continue;
+    together.push_back(i);
+    pivots.push_back(dependent_[i]);
+  }
+  const bool all =
+      std::all_of(stuck.begin(), stuck.end(), [&](Index i) { return dependent_[i] != kNone; });
+  if (all) coupled_ = coupled_rows(limits_, together, pivots, control_count());
+  if (coupled_.empty()) {
+    return fail(ErrorCode::singular,
+                "every control point that decides this vertex's limit also decides another's",
+                {.vertex = stuck.front()});
+  }
+  coupled_number_.assign(given_count(), kNone);
+  for (std::size_t k = 0; k < together.size(); ++k) {
+    coupled_number_[together[k]] = static_cast<Index>(k);
+  }
+  return {};
 }
 
 void Elimination::find_dependents_of_free() {
@@ -56,6 +102,23 @@ void Elimination::find_dependents_of_free() {
   });
 }
 
+namespace {
+
+void meet_coupled(const CoupledRow& row, std::size_t width, std::span<const double> targets,
+                  std::span<const double> x, double* to) {
+  std::fill_n(to, width, 0.0);
+  for (const auto& [i, share] : row.shares) {
+    for (std::size_t c = 0; c < width && !targets.empty(); ++c) {
+      to[c] += share * targets[i * width + c];
+    }
+  }
+  for (const auto& [j, w] : row.others) {
+    for (std::size_t c = 0; c < width; ++c) to[c] -= w * x[j * width + c];
+  }
+}
+
+}  // namespace
+
 void Elimination::meet(const Context& context, std::size_t width, std::span<const double> targets,
                        std::span<double> x) const {
   parallel::for_ranges(context, given_count(), [&](std::size_t begin, std::size_t end) {
@@ -63,6 +126,10 @@ void Elimination::meet(const Context& context, std::size_t width, std::span<cons
     for (std::size_t i = begin; i < end; ++i) {
       if (dependent_[i] == kNone) continue;
       const auto row = static_cast<Index>(i);
+      if (const CoupledRow* terms = coupled(row)) {
+        meet_coupled(*terms, width, targets, x, &x[dependent_[i] * width]);
+        continue;
+      }
       for (std::size_t c = 0; c < width; ++c) {
         rest[c] = targets.empty() ? 0 : targets[i * width + c];
       }

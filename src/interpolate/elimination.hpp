@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scheme/sparse_rows.hpp"
+#include "interpolate/coupled_rows.hpp"
 
 namespace surpass {
 
@@ -14,7 +14,9 @@ namespace surpass {
 class Elimination {
  public:
   /// `limits`: a row per given vertex over `control_points` columns. In each row the largest weight
-  /// among the columns that no other row has becomes the dependent one; fails if there is none.
+  /// among the columns that no other row has becomes the dependent one. Rows without such a column
+  /// take the largest that no row has taken, and are solved together with those that have it; fails
+  /// with `singular` if they cannot be.
   /// Vertices marked in `released` (#given, or empty: none) need not be met: they have none.
   static Result<Elimination> build(SparseRows limits, Index control_points, const Context& context,
                                    std::span<const unsigned char> released = {});
@@ -43,6 +45,10 @@ class Elimination {
   template <class Use>
   void for_each_coefficient(Index i, Use&& use) const {
     if (dependent_[i] == kNone) return;
+    if (const CoupledRow* row = coupled(i)) {
+      for (const auto& [j, w] : row->others) use(j, -w);
+      return;
+    }
     const auto columns = limits_.row_columns(i);
     const auto weights = limits_.row_weights(i);
     const double pivot = pivot_[i];
@@ -52,12 +58,19 @@ class Elimination {
   }
 
  private:
+  [[nodiscard]] Result<void> couple(const std::vector<Index>& stuck);
   void find_dependents_of_free();
+  [[nodiscard]] const CoupledRow* coupled(Index i) const {
+    return coupled_number_.empty() || coupled_number_[i] == kNone ? nullptr
+                                                                  : &coupled_[coupled_number_[i]];
+  }
 
   SparseRows limits_;
-  std::vector<Index> dependent_;  // #given, kNone where released
-  std::vector<double> pivot_;     // #given: weight of the dependent point
-  std::vector<Index> given_of_;   // #control: the given vertex that it depends for, or kNone
+  std::vector<Index> dependent_;       // #given, kNone where released
+  std::vector<double> pivot_;          // #given: weight of the dependent point
+  std::vector<Index> given_of_;        // #control: the given vertex that it depends for, or kNone
+  std::vector<Index> coupled_number_;  // #given, kNone for most; empty: for all
+  std::vector<CoupledRow> coupled_;
   // The coefficients once more, by free points.
   std::vector<Index> starts_;
   std::vector<Index> givens_;

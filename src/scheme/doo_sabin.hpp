@@ -35,7 +35,7 @@ class DooSabin final : public SubdivisionScheme {
                                                          const Rules& rules,
                                                          const Context& context) const override;
   /// By the faces that the given vertices turned into, or the edges and vertices where they have
-  /// none; a row may fail to have a vertex of its own where two doublets are neighbours.
+  /// none; a row may fail to have a vertex of its own beside doublets.
   [[nodiscard]] Result<SparseRows> given_limits(const Mesh& refined, const Topology& topology,
                                                 const Rules& rules, const Mesh& given,
                                                 const Context& context) const override;

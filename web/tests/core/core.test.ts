@@ -43,6 +43,7 @@ describe('control meshes equal the program’s to 1e-12 of the box side', () => 
     ['mixed_polygons.obj', { scheme: 'catmull-clark', method: 'similarity' }],
     ['cube.obj', { scheme: 'catmull-clark', method: 'fair', tension: 0.25 }],
     ['double_torus.obj', { method: 'similarity' }],
+    ['mixed_polygons.obj', { scheme: 'doo-sabin', method: 'similarity' }],
     ['sphere_irregular.obj', { method: 'fair', tension: 0.25 }],
   ];
   test.each(cases)('%s %o', (name, part) => {

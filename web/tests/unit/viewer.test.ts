@@ -121,8 +121,8 @@ describe('settings', () => {
   test('a scheme keeps what it can of the other choices', () => {
     const settings = { ...settingsFor(loaded), boundary: 'hoppe', method: 'fair', levels: 0 };
     expect(withScheme(settings, 'catmull-clark', 900)).toMatchObject({ boundary: 'edge-and-corner', method: 'fair', levels: 0 });
-    expect(withScheme(settings, 'doo-sabin', 900)).toMatchObject({ method: 'progressive', levels: 0 });
-    expect(withScheme(settings, 'nonstationary-loop', 20000)).toMatchObject({ boundary: 'edge-and-corner', levels: 1 });
+    expect(withScheme(settings, 'doo-sabin', 900)).toMatchObject({ boundary: 'edge-and-corner', method: 'fair', levels: 0 });
+    expect(withScheme(settings, 'nonstationary-loop', 20000)).toMatchObject({ boundary: 'edge-and-corner', method: 'progressive', levels: 1 });
     expect(withScheme(settings, 'nonstationary-loop', 2000000).levels).toBe(0);
     expect(withScheme({ ...settings, levels: 3 }, 'nonstationary-loop', 900).levels).toBe(3);
   });
