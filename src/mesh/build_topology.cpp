@@ -127,7 +127,6 @@ class Topology::FanMatching {
   // The corners of v are ascending before and in the order of going around after. False if an edge
   // has more than one half-edge in the same direction.
   bool match(Index v, std::span<Index> corners) {
-    ask_for_next(corners);
     return corners.empty() || close_fan(corners) || match_any(v, corners);
   }
 
@@ -138,15 +137,6 @@ class Topology::FanMatching {
     bool operator<(const Spoke& other) const { return vertex < other.vertex; }
   };
   enum class Corner : unsigned char { reached, start_of_fan, visited };
-
-  // Every place is one that the list of corners names, so nothing would be foreseen.
-  void ask_for_next(std::span<const Index> corners) const {
-    const Index* const ahead = corners.data() + kAhead;
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-      __builtin_prefetch(vertices_ + ahead[c]);
-      __builtin_prefetch(opposite_ + ahead[c], 1);
-    }
-  }
 
   // One number of corners, one loop without branches.
   bool close_fan(std::span<Index> corners) {
@@ -173,6 +163,9 @@ class Topology::FanMatching {
     Index from[kCount];
     Index to[kCount];
     for (std::size_t c = 0; c < kCount; ++c) {
+      // Every place is one that the list of corners names, so nothing would be foreseen.
+      __builtin_prefetch(vertices_ + corners[c + kAhead]);
+      __builtin_prefetch(opposite_ + corners[c + kAhead], 1);
       const auto [before, after] = faces_.around(corners[c]);
       entering[c] = before;
       from[c] = vertices_[before];

@@ -389,7 +389,7 @@ TEST(Topology, ManyThreadsMayAskForEdgesFirst) {
     for (std::size_t k = 0; k < wrong.size(); ++k) {
       threads.emplace_back([&, k] {
         for (Index e = 0; e < order.size(); ++e) {
-          wrong[k] += t.edge(order[e]) == e && t.edge_halfedge(e) == order[e] ? 0 : 1;
+          wrong[k] += t.edge(order[e]) == e && t.edge_halfedge(e) == order[e] ? 0U : 1U;
         }
       });
     }
