@@ -8,7 +8,7 @@ export default tseslint.config(
   {
     // Run by node, with parts that run in a page; nothing checks their types.
     files: ['**/*.mjs'],
-    languageOptions: { globals: { process: 'readonly', Buffer: 'readonly', window: 'readonly', document: 'readonly', setTimeout: 'readonly', performance: 'readonly', console: 'readonly' } },
+    languageOptions: { globals: { Image: 'readonly', process: 'readonly', Buffer: 'readonly', window: 'readonly', document: 'readonly', setTimeout: 'readonly', performance: 'readonly', console: 'readonly' } },
   },
   {
     rules: {

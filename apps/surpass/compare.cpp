@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "distance_field.hpp"
 #include "html_report.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
@@ -71,16 +72,29 @@ class Compare : public Command {
                                   {"hausdorff_bound", found->hausdorff_bound},
                                   {"box_side", found->box_side},
                                   {"accuracy", accuracy_}};
-    page_.add("a", "A", LayerKind::mesh, a->mesh);
-    page_.add("b", "B", LayerKind::mesh, b->mesh);
-    if (const auto written = page_.write(session); !written) return written;
+    if (const auto written = write_page(a->mesh, b->mesh, session); !written) return written;
     return session.print_result(table(*found));
   }
 
  private:
+  // The meshes as they are, and coloured by how far the other one is.
+  Result<void> write_page(const Mesh& a, const Mesh& b, Session& session) {
+    if (!page_.wanted()) return {};
+    const auto from_a = distance_field(a, b, session.context);
+    if (!from_a) return tl::make_unexpected(from_a.error());
+    const auto from_b = distance_field(b, a, session.context);
+    if (!from_b) return tl::make_unexpected(from_b.error());
+    page_.add("a", "A", LayerKind::mesh, a);
+    page_.add("b", "B", LayerKind::mesh, b);
+    page_.add("a-to-b", "A, distance to B", LayerKind::surface, *from_a);
+    page_.add("b-to-a", "B, distance to A", LayerKind::surface, *from_b);
+    return page_.write(session);
+  }
+
   Result<LoadedMesh> load(const std::string& path, const char* key, Session& session) const {
     Result<LoadedMesh> loaded = load_mesh(path, path == "-" ? from_ : Format::automatic, session);
-    if (loaded && session.reporting()) session.report[key] = mesh_json(path, loaded->mesh);
+    if (loaded && (session.reporting() || page_.wanted()))
+      session.report[key] = mesh_json(path, loaded->mesh);
     return loaded;
   }
 

@@ -111,8 +111,8 @@ void add_channels(const Mesh& mesh, Json& layer) {
   for (const Channel& channel : mesh.channels) {
     if (channel.name == "normal" && channel.width() == 3) {
       layer["normals"] = small_normals(channel.values);
-    } else if (channel.width() == 1 &&
-               (channel.name == "mean" || channel.name == "gauss" || channel.name == "error")) {
+    } else if (channel.width() == 1 && (channel.name == "mean" || channel.name == "gauss" ||
+                                        channel.name == "error" || channel.name == "distance")) {
       layer["channels"][channel.name] = floats(channel.values);
     }
   }

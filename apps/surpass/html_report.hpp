@@ -30,7 +30,8 @@ class HtmlReport {
                                      const std::vector<std::string>& other_outputs);
 
   /// Adds something to look at. `id` is for the page: "given", "control", "plain" and "surface" are
-  /// what the studio calls so too. Vertex channels "normal", "mean", "gauss" and "error" are shown.
+  /// what the studio calls so too. Vertex channels "normal", "mean", "gauss", "error" and
+  /// "distance" are shown.
   void add(const char* id, const std::string& label, LayerKind kind, const Mesh& mesh);
 
   /// Adds the limit surface of a control mesh, with its curvature, as fine as a page can hold.

@@ -112,7 +112,7 @@ TEST(Interpolate, SimilarDooSabinSurfacesAreChecked) {
   }
   Mesh moved = mesh_of(given);
   moved.points[7][1] += 1;
-  ASSERT_TRUE(write_mesh(folder / "moved.obj", moved));
+  ASSERT_TRUE(write_mesh(moved, folder / "moved.obj"));
   const Outcome seen = surpass({"check", folder / "c.obj", "--against", folder / "moved.obj"});
   EXPECT_EQ(seen.status, 4) << seen.err;
   EXPECT_NE(seen.out.find("at vertex 7"), std::string::npos) << seen.out;

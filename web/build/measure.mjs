@@ -1,7 +1,8 @@
-// Times of docs/studio.md: solving in the page and natively on one thread, and a frame of the picture.
+// Times of docs/performance.md: solving in the page and natively on one thread, and a frame of the picture.
 //   node build/measure.mjs     after make studio and make build
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+// On a machine that does other things as well: as root, for the program and the page's worker then go first.
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
@@ -30,46 +31,71 @@ function torus(around, across) {
   return lines.join('\n');
 }
 
-/** Seconds for topology and solution, the best of several runs. */
+const kFirst = ['-n', '-10'];
+const mayGoFirst = spawnSync('nice', [...kFirst, 'true']).stderr.length === 0;
+
+/** Seconds for topology and solution, once. */
 function native(file) {
-  const times = Array.from({ length: kRuns }, () => {
-    const report = join(folder, 'report.json');
-    execFileSync(kProgram, ['interpolate', file, '-o', join(folder, 'control.obj'), '--tolerance', '1e-12', '--threads', '1',
-      '--quiet', '--report', report]);
-    const { seconds } = JSON.parse(readFileSync(report, 'utf8'));
-    return seconds.topology + seconds.solve;
-  });
-  return Math.min(...times);
+  const report = join(folder, 'report.json');
+  const command = [kProgram, 'interpolate', file, '-o', join(folder, 'control.obj'), '--force', '--tolerance', '1e-12', '--threads', '1',
+    '--quiet', '--report', report];
+  const [program, ...words] = mayGoFirst ? ['nice', ...kFirst, ...command] : command;
+  execFileSync(program, words);
+  const { seconds } = JSON.parse(readFileSync(report, 'utf8'));
+  return seconds.topology + seconds.solve;
 }
 
-async function inPage(page, file, name) {
-  await page.getByLabel('Mesh file').setInputFiles(file);
-  await page.waitForFunction((n) => window.surpassStudio.session.name === n && window.surpassStudio.session.solved, name, { timeout: 120000 });
-  return page.evaluate(async (runs) => {
-    const { session, stage } = window.surpassStudio;
+/** Lets the workers of pages go first, too: the browser starts them with the usual priority. */
+function raiseWorkers() {
+  if (!mayGoFirst) return;
+  for (const process of readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
+    try {
+      for (const thread of readdirSync(`/proc/${process}/task`)) {
+        if (/DedicatedWorker/.test(readFileSync(`/proc/${process}/task/${thread}/comm`, 'utf8'))) spawnSync('renice', [...kFirst, '-p', thread]);
+      }
+    } catch {
+      // It has ended meanwhile.
+    }
+  }
+}
+
+/** Once: seconds of the solution, and of the whole answer as the page waits for it. */
+async function inPage(page) {
+  return page.evaluate(async () => {
+    const { session } = window.surpassStudio;
     const options = { scheme: 'loop', boundary: 'edge-and-corner', method: 'progressive', solver: 'auto', tolerance: 1e-12,
       maxIterations: 10000, tension: 0, levels: session.settings.levels };
-    // Drawing what was opened, in software, takes the cores for a while.
-    await new Promise((done) => setTimeout(done, 2000));
-    stage.viewer.timeFrames(1);
-    const whole = [];
-    const solves = [];
-    for (let i = 0; i < runs; ++i) {
-      const start = performance.now();
-      const { seconds } = await session.core.solve(options);
-      whole.push((performance.now() - start) / 1000);
-      solves.push(seconds.solve);
-    }
-    const frames = {};
-    for (const [label, view] of [['matte', { single: 'surface', shading: 'matte' }], ['reflection', { single: 'surface', shading: 'reflection' }],
-      ['split', { mode: 'split', shading: 'mean' }]]) {
+    const start = performance.now();
+    const { seconds } = await session.core.solve(options);
+    return { solve: seconds.solve, whole: (performance.now() - start) / 1000 };
+  });
+}
+
+async function frames(page) {
+  return page.evaluate(async () => {
+    const { stage } = window.surpassStudio;
+    const times = [];
+    for (const view of [{ single: 'surface', shading: 'matte' }, { single: 'surface', shading: 'reflection' }, { mode: 'split', shading: 'mean' }]) {
       stage.change({ mode: 'single', ...view, points: true });
-      stage.viewer.draw();
-      frames[label] = stage.viewer.timeFrames(4);
+      stage.viewer.timeFrames(1);
+      times.push(Math.min(...[1, 2, 3].map(() => stage.viewer.timeFrames(2))));
     }
     stage.change({ mode: 'single', shading: 'matte' });
-    return { solve: Math.min(...solves), whole: Math.min(...whole), frames, shown: session.solved.surface.positions.length / 3 };
-  }, kRuns);
+    return times;
+  });
+}
+
+async function measured(page, file, name) {
+  await page.getByLabel('Mesh file').setInputFiles(file);
+  await page.waitForFunction((n) => window.surpassStudio.session.name === n && window.surpassStudio.session.solved, name, { timeout: 120000 });
+  // Drawing what was opened, in software, takes the cores for a while.
+  await page.waitForTimeout(2000);
+  raiseWorkers();
+  const pairs = [];
+  for (let i = 0; i < kRuns; ++i) pairs.push({ native: native(file), ...await inPage(page) });
+  const best = (key) => Math.min(...pairs.map((pair) => pair[key]));
+  const shown = await page.evaluate(() => window.surpassStudio.session.solved.surface.positions.length / 3);
+  return { native: best('native'), solve: best('solve'), whole: best('whole'), frames: await frames(page), shown };
 }
 
 const browser = await chromium.launch({
@@ -85,10 +111,9 @@ for (const [around, across] of [[40, 25], [200, 100], [625, 400]]) {
   const name = `torus${around * across}.obj`;
   const file = join(folder, name);
   writeFileSync(file, torus(around, across));
-  const program = native(file);
-  const found = await inPage(page, file, name);
+  const found = await measured(page, file, name);
   const ms = (s) => `${(1000 * s).toPrecision(3)} ms`;
-  console.log(`| ${around * across} | ${ms(program)} | ${ms(found.solve)} | ${(found.solve / program).toFixed(2)} | ${ms(found.whole)} | ${found.shown} | ${
-    Object.values(found.frames).map((f) => `${f.toFixed(0)} ms`).join(' | ')} |`);
+  console.log(`| ${around * across} | ${ms(found.native)} | ${ms(found.solve)} | ${(found.solve / found.native).toFixed(2)} | ${ms(found.whole)} | ${found.shown} | ${
+    found.frames.map((f) => `${f.toFixed(0)} ms`).join(' | ')} |`);
 }
 await browser.close();

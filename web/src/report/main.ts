@@ -52,7 +52,7 @@ function aside(data: PageData): HTMLElement {
   }
   const step = Math.max(...data.layers.map((l) => l.positions.step)) / data.side;
   panel.append(element('p', { class: 'quiet fine' },
-    `The pictures show positions rounded to 16 bits (steps of ${shortNumber(step)} of the box side) and normals to 8. `
+    `The pictures show positions rounded to 16 bits (steps of ${shortNumber(step)} of the box side), normals to 8 and colours from single precision. `
     + 'The figures are of the unrounded meshes.'));
   return panel;
 }
@@ -73,9 +73,12 @@ function start(): void {
       element('span', { class: 'quiet' }, `version ${data.version}`), element('span', { class: 'space' }),
       themeButton((dark) => stage.setDark(dark))),
     element('main', {}, stage.root, aside(data)));
-  const first = content.layers[0];
-  if (first) stage.viewer.fit(first.shape.positions);
+  // The files of `view` may lie anywhere; elsewhere the first mesh is what all the others are about.
+  const fitted = content.layers.filter((l, i) => i === 0 || l.id.startsWith('file'));
+  stage.viewer.fit(Float32Array.from(fitted.flatMap((l) => [...l.shape.positions])));
   stage.show(content);
+  const ids = content.layers.map((l) => l.id);
+  if (ids.includes('a-to-b')) stage.change({ mode: 'split', left: 'a-to-b', right: 'b-to-a', shading: 'distance' });
   window.surpassReport = { stage };
 }
 

@@ -7,7 +7,7 @@ import { element } from '../viewer/dom';
 import { count } from '../viewer/figures';
 import { Stage } from '../viewer/stage';
 import { themeButton } from '../viewer/theme';
-import { results } from './results';
+import { results, verdict } from './results';
 import { save, stem } from './save';
 import { Session, type Page } from './session';
 import { settingsForm } from './settings';
@@ -49,6 +49,9 @@ class Studio implements Page {
   private readonly stageName = element('span');
   private readonly progress = element('div', { class: 'progress', hidden: '' });
   private readonly exportButton = element('button', { type: 'button', class: 'primary', disabled: '' }, 'Export control mesh');
+  /** The sample that is open, or none; and the one that is being opened. */
+  private sample = '';
+  private nextSample = '';
   private format = 'obj';
   private surfaceFormat = 'ply';
   private shown: ReturnType<typeof setTimeout> | undefined;
@@ -92,12 +95,12 @@ class Studio implements Page {
   }
 
   private async openFile(file: File): Promise<void> {
-    this.samples.value = '';
+    this.samples.value = this.nextSample = '';
     await this.session.open(new Uint8Array(await file.arrayBuffer()), file.name);
   }
 
   private async openSample(file: string): Promise<void> {
-    this.samples.value = file;
+    this.samples.value = this.nextSample = file;
     const text = atob(window.surpassSamples[file]!);
     await this.session.open(Uint8Array.from(text, (c) => c.charCodeAt(0)), file);
   }
@@ -122,6 +125,7 @@ class Studio implements Page {
   // What the session tells.
 
   opened(session: Session): void {
+    this.sample = this.nextSample;
     this.message.hidden = true;
     const { given } = session.loaded!;
     this.stage.viewer.fit(given.positions);
@@ -142,6 +146,7 @@ class Studio implements Page {
     this.drawSettings();
     this.drawExports();
     this.resultsBox.replaceChildren(...results(session));
+    this.status.textContent = `${this.summary()}. ${verdict(session.solved!).textContent}.`;
   }
 
   compared(session: Session): void {
@@ -154,8 +159,11 @@ class Studio implements Page {
       session.refused = undefined;
       this.message.hidden = true;
     });
+    const stays = session.refused && session.loaded;
+    if (stays) this.samples.value = this.sample;
     this.message.replaceChildren(element('p', {}, failure.message),
-      element('div', { class: 'actions' }, ...this.remedies(failure, session), close));
+      element('div', { class: 'actions' }, stays ? element('span', { class: 'quiet' }, `${session.name} stays open.`) : undefined,
+        ...this.remedies(failure, session), close));
     this.message.hidden = false;
   }
 
@@ -200,15 +208,22 @@ class Studio implements Page {
       this.meshBox.replaceChildren(element('h2', {}, 'Mesh'), element('p', { class: 'quiet' }, 'Loading…'));
       return;
     }
-    const faces = loaded.kind === 'mesh' ? `, ${count(loaded.faces)} faces` : '';
     this.meshBox.replaceChildren(element('h2', {}, 'Mesh'), element('p', { class: 'file' }, name),
-      element('p', { class: 'quiet' }, `${count(loaded.vertices)} ${loaded.kind === 'mesh' ? 'vertices' : 'points'}${faces}`));
+      element('p', { class: 'quiet' }, this.sizes()));
     if (loaded.kind === 'mesh' && !loaded.triangles) {
       const cut = element('button', { type: 'button', class: 'small', title: 'Then Loop surfaces are possible, too' }, 'Cut into triangles');
       cut.addEventListener('click', () => void this.session.reopen({ triangulate: true }));
       this.meshBox.append(cut);
     }
-    this.status.textContent = `${name}: ${count(loaded.vertices)} ${loaded.kind === 'mesh' ? 'vertices' : 'points'}${faces}`;
+    this.status.textContent = this.summary();
+  }
+
+  private sizes(): string {
+    const { kind, vertices, faces } = this.session.loaded!;
+    return kind === 'mesh' ? `${count(vertices)} vertices, ${count(faces)} faces` : `${count(vertices)} points`;
+  }
+  private summary(): string {
+    return `${this.session.name}: ${this.sizes()}`;
   }
 
   private drawSettings(): void {

@@ -1,11 +1,9 @@
 // One thing to look at - a surface, a mesh with its edges, a cage, points - as objects of the scene.
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Points, type ShaderMaterial } from 'three';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Shape } from '../core/protocol';
 import { connectivityOf, trianglesOf, type Connectivity } from './connectivity';
-import { plain, pointMaterial, shade, surfaceMaterial, type Shading } from './materials';
+import { fitLines, wideLines, type LineLook, type PaneFrame } from './lines';
+import { isSigned, plain, pointMaterial, shade, surfaceMaterial, type Shading } from './materials';
 import type { Palette } from './palette';
 
 /** surface: smooth and shaded; mesh: facets with edges; cage: edges and vertices; points: these. */
@@ -25,11 +23,8 @@ export interface LayerSource {
 /** Lines up to so many are drawn wide; more are drawn as the card's own thin lines. */
 const kMostWideLines = 60000;
 
-export interface Scales {
-  mean: number;
-  gauss: number;
-  error: number;
-}
+/** The largest value of each coloured shading; the smallest is zero, or as far below it. */
+export type Scales = Record<Exclude<Shading, 'matte' | 'reflection'>, number>;
 
 function segments(positions: Float32Array, pairs: Uint32Array): Float32Array {
   const ends = new Float32Array(3 * pairs.length);
@@ -45,7 +40,7 @@ function segments(positions: Float32Array, pairs: Uint32Array): Float32Array {
 export class Layer {
   readonly group = new Group();
   private readonly faces: Mesh | undefined;
-  private readonly edges: Group | undefined;
+  private readonly wide: ReturnType<typeof wideLines>[] = [];
   private readonly marks = new Group();
   private readonly dots: Points | undefined;
   /** The shading whose numbers are with the card. */
@@ -59,13 +54,13 @@ export class Layer {
     if (kind !== 'points' && shape.corners.length > 0) this.faces = this.makeFaces();
     if (kind === 'mesh' || kind === 'cage') {
       const cage = kind === 'cage';
-      this.edges = this.makeLines(parts.edges, cage ? palette.cage : palette.edge, cage ? 1.6 : 1,
-        cage ? 0.95 : palette.edgeOpacity);
-      this.group.add(this.edges);
+      this.group.add(this.makeLines(parts.edges, cage
+        ? { colour: palette.cage, width: 1.5, opacity: 0.95, faintest: 0.3 }
+        : { colour: palette.edge, width: 1, opacity: palette.edgeOpacity, faintest: 0.6 }));
     }
     if (kind === 'cage' || kind === 'points') this.dots = this.makeDots();
-    this.marks.add(this.makeLines(parts.boundary, palette.boundary, 2.5, 1));
-    this.marks.add(this.makeLines(shape.creases, palette.crease, 3, 1));
+    this.marks.add(this.makeLines(parts.boundary, { colour: palette.boundary, width: 2.5, opacity: 1, faintest: 0.8 }));
+    this.marks.add(this.makeLines(shape.creases, { colour: palette.crease, width: 3, opacity: 1, faintest: 0.8 }));
     this.group.add(this.marks);
   }
 
@@ -104,22 +99,21 @@ export class Layer {
     return mesh;
   }
 
-  private makeLines(pairs: Uint32Array, colour: string, width: number, opacity: number): Group {
+  private makeLines(pairs: Uint32Array, look: LineLook): Group {
     const group = new Group();
     if (pairs.length === 0) return group;
     const ends = segments(this.source.shape.positions, pairs);
-    const common = { color: plain(colour), transparent: opacity < 1, opacity };
     if (pairs.length / 2 <= kMostWideLines) {
-      const geometry = this.keep(new LineSegmentsGeometry());
-      geometry.setPositions(ends);
-      const lines = new LineSegments2(geometry, this.keep(new LineMaterial({ ...common, linewidth: width })));
-      lines.frustumCulled = false;
+      const lines = wideLines(ends, look);
+      this.keep(lines.geometry);
+      this.keep(lines.material);
+      this.wide.push(lines);
       group.add(lines);
     } else {
       const geometry = this.keep(new BufferGeometry());
       geometry.setAttribute('position', new BufferAttribute(ends, 3));
       const lines = new LineSegments(geometry, this.keep(new LineBasicMaterial({
-        ...common, transparent: true, opacity: 0.4 * opacity })));
+        color: plain(look.colour), transparent: true, opacity: 0.4 * look.opacity })));
       lines.frustumCulled = false;
       group.add(lines);
     }
@@ -128,8 +122,11 @@ export class Layer {
 
   private makeDots(): Points {
     const cage = this.source.kind === 'cage';
-    const dots = makePoints(this.source.shape.positions, undefined,
-      cage ? this.palette.cage : this.palette.point, cage ? this.palette.cage : this.palette.pointRim, cage ? 0.6 : 1);
+    const { palette } = this;
+    // A cloud has no faces that hide what is behind: there, distance makes points fainter.
+    const dots = makePoints(this.source.shape.positions, undefined, cage
+      ? { colour: palette.cage, rim: palette.cage, ground: palette.background, haze: 0.4, share: 0.6 }
+      : { colour: palette.point, rim: palette.point, ground: palette.background, haze: 0.75, share: 1 });
     this.keep(dots.geometry);
     this.keep(dots.material as ShaderMaterial);
     this.group.add(dots);
@@ -160,8 +157,8 @@ export class Layer {
         new BufferAttribute(values ?? new Float32Array(size).fill(flat!), 1));
       this.loaded = shading;
     }
-    if (shading === 'error') shade(material, 2, 'sequential', { x: 0, y: scales.error });
-    else shade(material, 2, 'diverging', { x: -scales[shading], y: scales[shading] });
+    const signed = isSigned(shading);
+    shade(material, 2, signed ? 'diverging' : 'sequential', { x: signed ? -scales[shading] : 0, y: scales[shading] });
   }
 
   /** Facets give way where a surface is seen with them: then a mesh is its edges. */
@@ -170,7 +167,9 @@ export class Layer {
     if (!this.isSurface && this.faces) this.faces.visible = !options.withSurface;
   }
 
-  useFrame(up: { x: number; y: number; z: number }, side: { x: number; y: number; z: number }): void {
+  useFrame(up: { x: number; y: number; z: number }, side: { x: number; y: number; z: number }, pane: PaneFrame): void {
+    for (const lines of this.wide) fitLines(lines, pane);
+    if (this.dots) (this.dots.material as ShaderMaterial).uniforms.depths!.value = pane.depths;
     if (!this.faces) return;
     const { uniforms } = this.faces.material as ShaderMaterial;
     uniforms.worldUp!.value = up;
@@ -186,15 +185,24 @@ export class Layer {
   }
 }
 
+export interface PointLook {
+  colour: string;
+  rim: string;
+  ground: string;
+  /** How much of the ground's colour the farthest points have. */
+  haze: number;
+  /** Of the usual size. */
+  share: number;
+}
+
 /** Points as discs of a few pixels, smaller where there are many; `values` may colour them. */
-export function makePoints(positions: Float32Array, values: Float32Array | undefined, colour: string,
-                           rim: string, share = 1): Points {
+export function makePoints(positions: Float32Array, values: Float32Array | undefined, look: PointLook): Points {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   if (values) geometry.setAttribute('value', new BufferAttribute(values, 1));
-  const points = new Points(geometry, pointMaterial(colour, rim));
+  const points = new Points(geometry, pointMaterial(look.colour, look.rim, look.ground, look.haze));
   const count = positions.length / 3;
-  points.userData.size = share * (count <= 300 ? 9 : count <= 3000 ? 6.5 : count <= 30000 ? 4 : 2.5);
+  points.userData.size = look.share * (count <= 300 ? 9 : count <= 3000 ? 6.5 : count <= 30000 ? 4 : 2.5);
   points.frustumCulled = false;
   return points;
 }

@@ -3,8 +3,10 @@
 import { Color, DataTexture, DoubleSide, LinearFilter, ShaderMaterial, Vector3 } from 'three';
 import { texels, type Scale } from './colour';
 
-export type Shading = 'matte' | 'reflection' | 'mean' | 'gauss' | 'error';
-export const kShadings: readonly Shading[] = ['matte', 'reflection', 'mean', 'gauss', 'error'];
+export type Shading = 'matte' | 'reflection' | 'mean' | 'gauss' | 'error' | 'distance';
+export const kShadings: readonly Shading[] = ['matte', 'reflection', 'mean', 'gauss', 'error', 'distance'];
+/** Whether the values are on both sides of zero. */
+export const isSigned = (shading: Shading): boolean => shading === 'mean' || shading === 'gauss';
 
 const kSurfaceVertex = `
 attribute float value;
@@ -67,7 +69,7 @@ void main() {
     base = pow(base, vec3(2.2));
   }
   vec3 h = normalize(normalize(vec3(-0.45, 0.75, 0.65)) + vec3(0.0, 0.0, 1.0));
-  float gloss = mode == 0 ? 0.10 * pow(max(dot(n, h), 0.0), 40.0) : 0.0;
+  float gloss = mode == 0 && !facets ? 0.10 * pow(max(dot(n, h), 0.0), 40.0) : 0.0;
   vec3 colour = base * light + gloss;
   gl_FragColor = vec4(pow(min(colour, vec3(1.0)), vec3(1.0 / 2.2)), 1.0);
 }`;
@@ -121,11 +123,14 @@ export function shade(material: ShaderMaterial, mode: number, scale: Scale, rang
 const kPointVertex = `
 attribute float value;
 uniform float size;
+uniform vec2 depths;
 varying float vValue;
+varying float vDepth;
 void main() {
   vValue = value;
   // A little towards the eye, for the points lie on the surfaces.
   vec4 place = modelViewMatrix * vec4(position, 1.0);
+  vDepth = clamp((-place.z - depths.x) / (depths.y - depths.x), 0.0, 1.0);
   gl_Position = projectionMatrix * vec4(place.xyz * 0.996, 1.0);
   gl_PointSize = size;
 }`;
@@ -137,7 +142,10 @@ uniform bool scaled;
 uniform vec2 range;
 uniform sampler2D scale;
 uniform float size;
+uniform vec3 ground;
+uniform float haze;    // how much of the ground's colour the farthest have
 varying float vValue;
+varying float vDepth;
 void main() {
   float r = length(gl_PointCoord - 0.5) * 2.0;
   if (r > 1.0) discard;
@@ -146,11 +154,12 @@ void main() {
     float t = (vValue - range.x) / (range.y - range.x);
     inside = texture2D(scale, vec2(clamp(t, 0.002, 0.998), 0.5)).rgb;
   }
-  float edge = smoothstep(1.0 - 3.0 / size, 1.0 - 1.0 / size, r);
-  gl_FragColor = vec4(mix(inside, rim, edge), 1.0);
+  // Of small discs the rim would leave nothing.
+  float edge = smoothstep(1.0 - min(3.0 / size, 0.4), 1.0 - min(1.0 / size, 0.15), r);
+  gl_FragColor = vec4(mix(mix(inside, rim, edge), ground, haze * vDepth), 1.0);
 }`;
 
-export function pointMaterial(colour: string, rim: string): ShaderMaterial {
+export function pointMaterial(colour: string, rim: string, ground: string, haze: number): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: kPointVertex,
     fragmentShader: kPointFragment,
@@ -161,6 +170,9 @@ export function pointMaterial(colour: string, rim: string): ShaderMaterial {
       range: { value: { x: 0, y: 1 } },
       scale: { value: textureOf('sequential') },
       size: { value: 6 },
+      ground: { value: plain(ground) },
+      haze: { value: haze },
+      depths: { value: { x: 0, y: 1 } },
     },
   });
 }

@@ -2,12 +2,12 @@
 // Studio and report both are built around one.
 import { cssGradient, shortNumber } from './colour';
 import { checkbox, element, segmented, select } from './dom';
-import { kShadings, type Shading } from './materials';
+import { isSigned, kShadings, type Shading } from './materials';
 import { Viewer, type Content } from './viewer';
 import { defaultView, panesOf, type Mode, type View } from './views';
 
 const kShadingNames: Record<Shading, string> = {
-  matte: 'Matte', reflection: 'Reflection', mean: 'Mean', gauss: 'Gauss', error: 'Error',
+  matte: 'Matte', reflection: 'Reflection', mean: 'Mean', gauss: 'Gauss', error: 'Error', distance: 'Distance',
 };
 const kShadingTitles: Record<Shading, string> = {
   matte: 'Clay under a soft light',
@@ -15,17 +15,22 @@ const kShadingTitles: Record<Shading, string> = {
   mean: 'Mean curvature',
   gauss: 'Gaussian curvature: positive on bumps, negative on saddles',
   error: 'How far the plain limit surface is from the given points',
+  distance: 'How far the other mesh is: at the corners of the shown triangles exactly, between them smoothed',
 };
 const kLegends: Partial<Record<Shading, string>> = {
   mean: 'Mean curvature, 1 / box side',
   gauss: 'Gaussian curvature, 1 / box side²',
   error: 'Distance to the given points, of the box side',
+  distance: 'Distance to the other mesh, files’ unit',
 };
 const kModes: readonly { value: Mode; label: string; title: string }[] = [
   { value: 'single', label: 'One', title: 'One thing alone' },
   { value: 'overlay', label: 'Overlay', title: 'Several things in one place' },
   { value: 'split', label: 'Split', title: 'Two things side by side, seen from the same place' },
 ];
+
+/** Pixels that the names of what is shown take. */
+const kLabelHeight = 24;
 
 export class Stage {
   readonly root: HTMLElement;
@@ -102,6 +107,7 @@ export class Stage {
   private update(): void {
     this.drawToolbar();
     this.drawOverlays();
+    this.viewer.insets = { top: kLabelHeight, bottom: this.legend.hidden ? 0 : this.legend.offsetHeight + 18 };
     this.viewer.setView(this.view);
   }
 
@@ -130,7 +136,9 @@ export class Stage {
     if (this.content.points) {
       extras.append(checkbox('Points', this.view.points, (points) => this.change({ points })));
     }
-    extras.append(checkbox('Creases and boundary', this.view.marks, (marks) => this.change({ marks })));
+    if (layers.some((l) => l.kind !== 'points')) {
+      extras.append(checkbox('Creases and boundary', this.view.marks, (marks) => this.change({ marks })));
+    }
     const upright = element('button', { type: 'button', class: 'small', title: 'Which axis points up' },
       `${this.view.up.toUpperCase()} up`);
     upright.addEventListener('click', () => this.change({ up: this.view.up === 'y' ? 'z' : 'y' }));
@@ -183,7 +191,7 @@ export class Stage {
     this.legend.hidden = title === undefined;
     if (title === undefined || this.view.shading === 'matte' || this.view.shading === 'reflection') return;
     const scale = this.viewer.scales[this.view.shading];
-    const signed = this.view.shading !== 'error';
+    const signed = isSigned(this.view.shading);
     const bar = element('div', { class: 'legend-bar' });
     bar.style.background = cssGradient(signed ? 'diverging' : 'sequential');
     const ticks = signed ? [shortNumber(-scale), '0', shortNumber(scale)] : ['0', shortNumber(scale)];

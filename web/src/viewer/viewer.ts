@@ -2,11 +2,18 @@
 import { Matrix3, PerspectiveCamera, type Points, Scene, type ShaderMaterial, Vector2, Vector3, WebGLRenderer, LinearSRGBColorSpace, ColorManagement } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { magnitude } from './colour';
+import { firstView } from './fit';
 import { Layer, makePoints, scalePoints, type LayerSource, type Scales } from './layer';
 import { kDark, kLight, type Palette } from './palette';
+import { drawsInSoftware } from './software';
 import { panesOf, type Pane, type View } from './views';
 
 ColorManagement.enabled = false;
+
+/** Where the eye is in the first view: right, high and ahead of the middle. */
+const kHome = [0.46, 0.34, 0.82] as const;
+/** Room around what is shown. */
+const kMargin = 1.1;
 
 export interface Content {
   layers: LayerSource[];
@@ -25,12 +32,18 @@ export class Viewer {
   private points: Points | undefined;
   private content: Content = { layers: [] };
   private radius = 0.8;
+  private fitted: Float32Array = new Float32Array();
+  /** From the origin to the eye in the first view; and the width that it needs, of the height. */
+  private distance = 3.3;
+  private reach = 1;
   private palette: Palette = kLight;
   private asked = false;
-  scales: Scales = { mean: 1, gauss: 1, error: 1 };
+  /** Pixels at the edges that other things lie over. */
+  insets = { top: 0, bottom: 0 };
+  scales: Scales = { mean: 1, gauss: 1, error: 1, distance: 1 };
 
   constructor(private readonly host: HTMLElement, private view: View) {
-    this.renderer = new WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
+    this.renderer = new WebGLRenderer({ antialias: !drawsInSoftware(), powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
@@ -54,6 +67,10 @@ export class Viewer {
     this.rebuild();
   }
 
+  get shown(): readonly LayerSource[] {
+    return this.content.layers;
+  }
+
   setView(view: View): void {
     const turned = view.up !== this.view.up;
     this.view = view;
@@ -68,8 +85,8 @@ export class Viewer {
 
   /** From the front, a little to the right and above. */
   home(): void {
-    const distance = (1.08 * this.radius) / Math.sin(((this.camera.fov / 2) * Math.PI) / 180);
-    const [right, high, ahead] = [0.46, 0.34, 0.82].map((x) => x * distance);
+    this.measure();
+    const [right, high, ahead] = kHome.map((x) => x * this.distance);
     this.camera.up.set(0, this.view.up === 'y' ? 1 : 0, this.view.up === 'z' ? 1 : 0);
     if (this.view.up === 'y') this.camera.position.set(right!, high!, ahead!);
     else this.camera.position.set(right!, -ahead!, high!);
@@ -81,22 +98,34 @@ export class Viewer {
     this.ask();
   }
 
-  /** The radius of the things around the origin, to be fitted into the picture. */
+  /** The things around the origin that shall fit into the picture. */
   fit(positions: Float32Array): void {
-    let square = 0.01;
-    for (let i = 0; i < positions.length; i += 3) {
-      square = Math.max(square, positions[i]! ** 2 + positions[i + 1]! ** 2 + positions[i + 2]! ** 2);
-    }
-    this.radius = Math.sqrt(square);
+    this.fitted = positions;
     this.home();
+  }
+
+  private measure(): void {
+    const { distance, reach, radius } = firstView(this.fitted, this.view.up, kHome, this.tangent / kMargin);
+    Object.assign(this, { distance, reach, radius });
+  }
+
+  /** Half the height of what is seen, at a distance of one. */
+  private get tangent(): number {
+    return Math.tan(((this.camera.fov / 2) * Math.PI) / 180);
   }
 
   /** The picture as a PNG file. */
   async png(): Promise<Blob> {
+    // Twice as fine as on the screen: it may be printed.
+    const ratio = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(2 * ratio);
     this.draw();
-    return new Promise((resolve, reject) => {
-      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png');
+    const blob = new Promise<Blob>((resolve, reject) => {
+      this.canvas.toBlob((made) => (made ? resolve(made) : reject(new Error('no picture'))), 'image/png');
     });
+    this.renderer.setPixelRatio(ratio);
+    this.draw();
+    return blob;
   }
 
   /** Milliseconds a frame takes, with the card's work, while the camera turns. */
@@ -131,8 +160,9 @@ export class Viewer {
       this.points = undefined;
     }
     if (this.content.points) {
-      this.points = makePoints(this.content.points, this.content.pointErrors, this.palette.point,
-        this.palette.pointRim);
+      const { point, pointRim, background } = this.palette;
+      this.points = makePoints(this.content.points, this.content.pointErrors,
+        { colour: point, rim: pointRim, ground: background, haze: 0, share: 1 });
       this.scene.add(this.points);
     }
     this.findScales();
@@ -146,6 +176,7 @@ export class Viewer {
     this.scales = {
       mean: magnitude(of('mean'), 0.96),
       gauss: magnitude(of('gauss'), 0.95),
+      distance: magnitude(of('distance'), 1),
       error: this.content.pointErrors?.length ? magnitude([this.content.pointErrors], 1) : magnitude(of('error'), 1),
     };
   }
@@ -168,14 +199,18 @@ export class Viewer {
     this.renderer.setViewport(0, 0, width, height);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
-    for (const pane of panesOf(this.view)) {
+    const panes = panesOf(this.view);
+    for (const pane of panes) {
       const left = Math.round(pane.from * width);
       const wide = Math.round(pane.to * width) - left;
       if (wide < 2) continue;
       this.renderer.setViewport(left, 0, wide, height);
       this.renderer.setScissor(left, 0, wide, height);
       this.camera.aspect = wide / height;
-      this.camera.zoom = Math.min(1, this.camera.aspect);
+      // The same size on both sides, wherever the divider is; and clear of the label and the legend.
+      const free = Math.max(height - this.insets.top - this.insets.bottom, height / 2);
+      this.camera.zoom = Math.min(1, width / panes.length / free / this.reach) * (free / height);
+      this.camera.setViewOffset(wide, height, 0, (this.insets.bottom - this.insets.top) / 2, wide, height);
       this.camera.updateProjectionMatrix();
       this.arrange(pane);
       this.renderer.render(this.scene, this.camera);
@@ -199,6 +234,12 @@ export class Viewer {
     const turn = new Matrix3().setFromMatrix4(this.camera.matrixWorldInverse);
     const up = this.camera.up.clone().applyMatrix3(turn);
     const side = new Vector3(1, 0, 0).applyMatrix3(turn);
+    const { clientWidth, clientHeight } = this.host;
+    const away = this.camera.position.distanceTo(this.orbit.target);
+    const frame = {
+      size: new Vector2((pane.to - pane.from) * clientWidth, clientHeight), ratio: this.renderer.getPixelRatio(),
+      near: this.camera.near, depths: new Vector2(away - 0.5 * this.radius, away + this.radius),
+    };
     const shown = pane.ids.flatMap((id) => this.layers.get(id) ?? []);
     const withSurface = shown.some((layer) => layer.isSurface);
     for (const layer of this.layers.values()) {
@@ -206,7 +247,7 @@ export class Viewer {
       if (!layer.group.visible) continue;
       layer.arrange({ withSurface, marks: this.view.marks });
       layer.shade(this.view.shading, this.scales);
-      layer.useFrame(up, side);
+      layer.useFrame(up, side, frame);
       layer.scalePoints(this.dotScale(pane));
     }
     if (this.points) this.arrangePoints(this.points, this.dotScale(pane));

@@ -66,6 +66,39 @@ test('subdivide, compare and reconstruct write one, too', async () => {
   }
 });
 
+test('compare colours both meshes by their distance', async () => {
+  // A square at height 0, and a much larger one whose height is a tenth of x, as two triangles of another cut.
+  const slope = 0.1;
+  const square = (low: number, high: number, rise: number, faces: string) =>
+    [[low, low], [high, low], [high, high], [low, high]].map(([x, y]) => `v ${x} ${y} ${rise * x!}\n`).join('') + faces;
+  writeFileSync(file('flat.obj'), square(0, 1, 0, 'f 1 2 3 4\n'));
+  writeFileSync(file('steep.obj'), square(-9, 9, slope, 'f 1 2 4\nf 2 3 4\n'));
+  const ran = surpass('compare', file('flat.obj'), file('steep.obj'), '--html', file('distance.html'), '--report', file('distance.json'));
+  expect(ran.status).toBe(0);
+  const largest = JSON.parse(readFileSync(file('distance.json'), 'utf8')).distance.a_to_b.max;
+  const { page, complaints } = await show(file('distance.html'));
+  const found = await page.evaluate(() => {
+    const data = JSON.parse(document.getElementById('surpass-page-data')!.textContent!);
+    const layer = window.surpassReport!.stage.viewer.shown.find((l) => l.id === 'a-to-b')!;
+    return { positions: [...layer.shape.positions], distances: [...layer.shape.channels.distance!], centre: data.centre, side: data.side };
+  });
+  // Many more places than the square's four corners, each at x * slope / sqrt(1 + slope^2) from the plane.
+  expect(found.distances.length).toBeGreaterThan(5000);
+  found.distances.forEach((distance, v) => {
+    const x = found.positions[3 * v]! * found.side + found.centre[0];
+    expect(Math.abs(distance - (x * slope) / Math.hypot(1, slope))).toBeLessThan(2e-6);
+  });
+  expect(Math.max(...found.distances)).toBeCloseTo(largest, 6);
+  expect(await page.locator('.pane-label').allTextContents()).toEqual(['A, distance to B', 'B, distance to A']);
+  expect(await page.locator('.legend').textContent()).toContain('Distance to the other mesh');
+  const coloured = await picture(page);
+  await radio(page, 'Matte').check();
+  await changedFrom(page, coloured);
+  expect(await page.locator('.legend').isVisible()).toBe(false);
+  expect(complaints).toEqual([]);
+  await page.context().close();
+});
+
 test('view writes a page and says where', async () => {
   const ran = surpass('view', file('c.obj'), data('sphere_irregular.obj'), '--no-browser');
   expect(ran.status).toBe(0);

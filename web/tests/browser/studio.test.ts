@@ -1,7 +1,8 @@
-import { cpSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import type { Browser } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import type { Stage } from '../../src/viewer/stage';
@@ -225,6 +226,101 @@ test('from a dropped file to an exported control mesh in two actions, equal to t
   expect(offBy(here, there)).toBeLessThanOrEqual(1e-12);
 });
 
+test('the same by the keyboard alone: three keys that act, and Tab', async () => {
+  const { page } = opened;
+  const tabTo = async (name: string) => {
+    for (let i = 0; i < 60; ++i) {
+      await page.keyboard.press('Tab');
+      const words = await page.evaluate(() => document.activeElement?.textContent?.trim());
+      if (words === name) return;
+    }
+    throw new Error(`${name} is not reached`);
+  };
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  await tabTo('Open mesh…');
+  const choosing = page.waitForEvent('filechooser');
+  await page.evaluate(() => undefined);  // A key is quicker than the browser is told to hand over the dialogue.
+  await page.keyboard.press('Enter');
+  const chooser = await choosing;
+  await chooser.setFiles(resolve(kRoot, 'data/octahedron.obj'));
+  // What a screen reader is told: the file, and whether the surface meets its points.
+  await page.getByRole('status').filter({ hasText: /octahedron\.obj: 6 vertices, 8 faces\. Passes through every point/ }).waitFor();
+  await tabTo('Export control mesh');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  expect(download.suggestedFilename()).toBe('octahedron.control.obj');
+
+  // Shadings, layouts and points have keys of their own; radio buttons and sliders follow the arrows.
+  const view = () => page.evaluate(() => window.surpassStudio!.stage.view);
+  await page.keyboard.press('3');
+  expect((await view()).shading).toBe('mean');
+  await page.keyboard.press('1');
+  await page.keyboard.press('s');
+  expect((await view()).mode).toBe('split');
+  await page.keyboard.press('s');
+  await page.keyboard.press('p');
+  expect((await view()).points).toBe(false);
+  await page.keyboard.press('p');
+  await radio(page, 'One').focus();
+  await page.keyboard.press('ArrowRight');
+  expect((await view()).mode).toBe('overlay');
+  expect(await page.evaluate(() => document.activeElement?.getAttribute('value'))).toBe('overlay');
+  await page.keyboard.press('ArrowLeft');
+  await page.getByLabel('Fineness').focus();
+  await page.keyboard.press('ArrowLeft');
+  await expect.poll(() => page.getByLabel('Fineness').getAttribute('aria-valuetext')).toBe('3 refinements');
+  await load('mine.obj', readFileSync(resolve(kRoot, 'data/double_torus.obj'), 'utf8'));
+  await page.getByRole('status').filter({ hasText: /mine\.obj: .* Passes/ }).waitFor();
+});
+
+test('the page is below a megabyte packed, without the samples', () => {
+  const sizes = readdirSync(join(folder, 'any where')).filter((name) => name !== 'samples.js')
+    .map((name) => gzipSync(readFileSync(join(folder, 'any where', name))).length);
+  expect(sizes.length).toBeGreaterThanOrEqual(3);
+  expect(sizes.reduce((sum, size) => sum + size, 0)).toBeLessThan(1e6);
+});
+
+test('both halves of a split show the model at the same size, as large as they can', async () => {
+  const { page } = opened;
+  await page.getByLabel('Points').uncheck();
+  await radio(page, 'Split').check();
+  for (const size of [{ width: 1190, height: 620 }, { width: 900, height: 1100 }]) {
+    await page.setViewportSize(size);
+    await expect.poll(async () => Math.min(...(await page.evaluate(halves)).map((half) => Math.max(...half))), { timeout: 30000 })
+      .toBeGreaterThan(0.62);
+    const [left, right] = await page.evaluate(halves);
+    expect(left![0]).toBeCloseTo(right![0]!, 1);
+    for (const [wide, tall] of [left!, right!]) {
+      expect(wide).toBeLessThan(1);
+      expect(tall).toBeLessThan(1);
+    }
+  }
+  await page.setViewportSize({ width: 1190, height: 620 });
+  await radio(page, 'One').check();
+  await page.getByLabel('Points').check();
+});
+
+/** In the page: the part of each half's width and height that is not ground. */
+function halves(): number[][] {
+  const { viewer } = window.surpassStudio!.stage;
+  viewer.draw();
+  const canvas = document.createElement('canvas');
+  const [w, h] = [canvas.width, canvas.height] = [200, 200];
+  const context = canvas.getContext('2d')!;
+  context.drawImage(viewer.canvas, 0, 0, w, h);
+  const { data } = context.getImageData(0, 0, w, h);
+  return [0, 1].map((half) => {
+    let [left, right, low, high] = [w, 0, h, 0];
+    for (let y = 0; y < h; ++y) {
+      for (let x = (half * w) / 2; x < ((half + 1) * w) / 2; ++x) {
+        const at = 4 * (y * w + x);
+        if ([0, 1, 2].every((c) => Math.abs(data[at + c]! - data[c]!) < 24)) continue;
+        [left, right, low, high] = [Math.min(left, x), Math.max(right, x), Math.min(low, y), Math.max(high, y)];
+      }
+    }
+    return [(right - left) / (w / 2), (high - low) / h];
+  });
+}
+
 test('surfaces and pictures are saved, too', async () => {
   const { page } = opened;
   const saved = async (name: string) => {
@@ -270,7 +366,7 @@ test('points show as points', async () => {
 
 test('a long solve tells how far it is, and can be cancelled', async () => {
   const { page } = opened;
-  await load('large.obj', torus(500, 200));
+  await load('large.obj', torus(180, 120));
   await page.locator('.file', { hasText: 'large.obj' }).waitFor();
   await verdict(page).filter({ hasText: 'Passes' }).waitFor();
   await choose('Scheme', 'catmull-clark');

@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest';
 import type { Shape } from '../../src/core/protocol';
 import { colourAt, magnitude, shortNumber, texels } from '../../src/viewer/colour';
 import { connectivityOf, trianglesOf } from '../../src/viewer/connectivity';
+import { firstView } from '../../src/viewer/fit';
 import { defaultView, panesOf } from '../../src/viewer/views';
 import { positionsOf, shapeOf, type PackedLayer } from '../../src/report/decode';
 import { sections } from '../../src/report/summary';
@@ -58,6 +59,37 @@ describe('colours', () => {
   test('numbers are short', () => {
     expect([0, 0.0192, 2.289645, 5.366e-13, -55.94, 123456].map(shortNumber))
       .toEqual(['0', '0.0192', '2.29', '5.4e\u221213', '\u221255.9', '1.2e5']);
+  });
+});
+
+describe('the first view', () => {
+  test('of a ball touches it all around', () => {
+    // Points of a ball of radius 1: the eye sees its outline under the half angle, from 1 / sin of it.
+    const angle = 0.3;
+    const positions = Float32Array.from({ length: 3 * 4000 }, (_, i) => {
+      const [k, u] = [Math.floor(i / 3), 1 - (2 * Math.floor(i / 3) + 1) / 4000];
+      return [Math.sqrt(1 - u * u) * Math.cos(2.4 * k), u, Math.sqrt(1 - u * u) * Math.sin(2.4 * k)][i % 3]!;
+    });
+    for (const up of ['y', 'z'] as const) {
+      const { distance, reach, radius } = firstView(positions, up, [0.46, 0.34, 0.82], Math.tan(angle));
+      expect(distance).toBeCloseTo(1 / Math.sin(angle), 1);
+      expect(reach).toBeCloseTo(1, 1);
+      expect(radius).toBeCloseTo(1, 3);
+    }
+  });
+
+  test('nothing is cut off, wherever around the upright axis the eye is', () => {
+    const tangent = 0.3;
+    const positions = Float32Array.of(0.5, 0.2, 0, -0.5, -0.2, 0.1, 0, 0.3, -0.2);
+    const { distance, reach } = firstView(positions, 'y', [0, 0, 1], tangent);
+    for (let turn = 0; turn < 12; ++turn) {
+      const [s, c] = [Math.sin((Math.PI * turn) / 6), Math.cos((Math.PI * turn) / 6)];
+      for (let i = 0; i < positions.length; i += 3) {
+        const [x, y, z] = [positions[i]! * c - positions[i + 2]! * s, positions[i + 1]!, positions[i]! * s + positions[i + 2]! * c];
+        expect(Math.abs(y) / (distance - z)).toBeLessThanOrEqual(tangent + 1e-6);
+        expect(Math.abs(x) / (distance - z)).toBeLessThanOrEqual(tangent * reach + 1e-6);
+      }
+    }
   });
 });
 
