@@ -1,5 +1,5 @@
 // The pictures of docs/studio.md: every view of five meshes on one sheet each, and the pages themselves.
-//   node build/pictures.mjs FOLDER     after make studio and make web
+//   node build/pictures.mjs FOLDER [pages]     after make studio and make web; without the sheets: pages
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
@@ -160,7 +160,7 @@ function shrink() {
   if (ran.error) console.error('pngquant is not there, so the pictures stay large');
 }
 
-await sheets();
+if (process.argv[3] !== 'pages') await sheets();
 await pages();
 await browser.close();
 shrink();

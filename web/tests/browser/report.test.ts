@@ -59,6 +59,7 @@ test('subdivide, compare and reconstruct write one, too', async () => {
     ['s.html', 'Limit surface', 'Refinements'], ['k.html', 'B', 'Hausdorff'], ['r.html', 'Surface', 'Spacing']];
   for (const [name, layer, figure] of wanted) {
     const { page, complaints } = await show(file(name));
+    await radio(page, 'One').check();
     await radio(page, layer).check();
     expect(await page.locator('.panel').textContent()).toContain(figure);
     expect(complaints).toEqual([]);
