@@ -14,6 +14,8 @@
 #include "interpolate/a_priori.hpp"
 #include "interpolate/choose_solver.hpp"
 #include "interpolate/stages.hpp"
+#include "mesh/common_part.hpp"
+#include "scheme/limit_points.hpp"
 
 namespace surpass {
 
@@ -233,7 +235,7 @@ Result<std::vector<Point>> Interpolator::limit_positions(std::span<const Point> 
   if (auto ok = require_size(points.size(), impl_->op); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  return impl_->op.rows.apply(context, points);
+  return limit_points(impl_->op.rows, points, context);
 }
 
 Result<Solution> Interpolator::solve(std::span<const Point> points,
@@ -243,7 +245,6 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
     return tl::make_unexpected(ok.error());
   }
   const std::size_t n = points.size();
-  const std::span<const double> target = flat(points);
   auto start = start_from(points);
   if (!start) return tl::make_unexpected(start.error());
   const Box box = start->box;
@@ -255,7 +256,15 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   report.box_side = box.side();
   const std::array<Point, 2> corners = {box.low, box.high};  // no coordinate is farther from 0
   report.tolerance = floored_tolerance(impl_->options.tolerance, flat(std::span(corners)), *unit);
-  const Task task{target, 3, *unit, report.tolerance, flat(std::span(solution.points))};
+  // What the coordinates have in common stays out of the sums, and so does its rounding.
+  const Point common = common_part(box);
+  std::vector<Point> near;
+  if (is_far(common)) {
+    add_common(solution.points, common, -1);
+    near = solution.points;
+  }
+  const Task task{flat(near.empty() ? points : std::span<const Point>(near)), 3, *unit,
+                  report.tolerance, flat(std::span(solution.points))};
   auto solved = solve_in_stages(*impl_, task, context, report.notes);
   if (!solved) return tl::make_unexpected(solved.error());
   report.converged = solved->converged();
@@ -266,6 +275,7 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   report.iterations = report.final.iteration;
   if (const BlockOutcome* longest = solved->longest()) report.history = longest->history;
   report.boundary_history = std::move(solved->curve.history);
+  if (is_far(common)) add_common(solution.points, common, 1);
 
   for (const Channel& channel : channels) {
     if (channel.values.size() != n * channel.width()) {

@@ -11,6 +11,7 @@
 #include "interpolate/linear_system.hpp"
 #include "interpolate/requirement_outcomes.hpp"
 #include "interpolate/similarity_prepared.hpp"
+#include "scheme/limit_points.hpp"
 
 namespace surpass {
 
@@ -416,7 +417,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   control.points.resize(prepared.control_count());
   std::copy(found->values.begin(), found->values.end(), flat(std::span(control.points)).begin());
   // Nothing is missed at vertices that were let go.
-  const auto limits = prepared.elimination.limits().apply(context, control.points);
+  const auto limits = limit_points(prepared.elimination.limits(), control.points, context);
   for (std::size_t v = 0; v < equations->released.size(); ++v) {
     if (equations->released[v] != 0) targets[v] = limits[v];
   }
@@ -444,7 +445,7 @@ Result<std::vector<Point>> SimilarityInterpolator::limit_positions(std::span<con
                 fmt::format("{} points were given for a control mesh of {} vertices",
                             control.size(), impl_->control_count()));
   }
-  return impl_->elimination.limits().apply(context, control);
+  return limit_points(impl_->elimination.limits(), control, context);
 }
 
 Result<SimilarityInterpolated> interpolate_similar(const Mesh& mesh,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "scheme/limit_points.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
 namespace surpass {
@@ -76,7 +77,7 @@ Result<Certificate> certify(const Mesh& control, const Mesh& given, const Rules&
   }
   const auto limits = scheme.given_limits(control, *topology, rules, given, context);
   if (!limits) return tl::make_unexpected(limits.error());
-  return compare_points(limits->apply(context, control.points), given.points, "surpass");
+  return compare_points(limit_points(*limits, control.points, context), given.points, "surpass");
 }
 
 }  // namespace surpass

@@ -10,6 +10,7 @@
 #include "mesh/wording.hpp"
 #include "scheme/catmull_clark.hpp"
 #include "scheme/doo_sabin.hpp"
+#include "scheme/limit_points.hpp"
 #include "scheme/loop.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
@@ -149,7 +150,7 @@ Result<std::vector<Point>> limit_positions(const Mesh& control, const Rules& rul
   if (!topology) return tl::make_unexpected(topology.error());
   const auto op = scheme_of(rules.scheme).limit_operator(control, *topology, rules, context);
   if (!op) return tl::make_unexpected(op.error());
-  return op->rows.apply(context, control.points);
+  return limit_points(op->rows, control.points, context);
 }
 
 Result<std::vector<Point>> limit_normals(const Mesh& control, const Rules& rules,

@@ -274,5 +274,34 @@ TEST(Interpolation, WorksAtEveryScaleOfCoordinates) {
   }
 }
 
+// Points that are rounded where they are have their own interpolating surface; nothing more than
+// the last rounding of its control points may be lost.
+TEST(Interpolation, LosesNothingFarFromTheOrigin) {
+  const Point place = {1e6, -3e7, 2e9};
+  for (const Scheme scheme : all_schemes()) {
+    SCOPED_TRACE(name_of(scheme));
+    Mesh mesh = test::random_mesh({.seed = 12, .kind = 3});
+    for (Point& p : mesh.points) {
+      for (std::size_t k = 0; k < 3; ++k) p[k] += place[k];
+    }
+    Mesh near = mesh;
+    for (Point& p : near.points) {
+      for (std::size_t k = 0; k < 3; ++k) p[k] -= place[k];  // exact
+    }
+    const InterpolateOptions options{.rules = {.scheme = scheme}, .tolerance = 1e-14};
+    const Mesh expected = interpolate(near, options)->control;
+    const auto found = interpolate(mesh, options);
+    ASSERT_TRUE(found->report.converged);
+    const auto limits = limit_positions(found->control, options.rules);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double unit = std::nextafter(std::abs(place[k]), HUGE_VAL) - std::abs(place[k]);
+        EXPECT_NEAR(found->control.points[v][k] - place[k], expected.points[v][k], unit);
+        EXPECT_NEAR((*limits)[v][k], mesh.points[v][k], 1.5 * unit);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace surpass
