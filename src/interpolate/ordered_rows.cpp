@@ -18,7 +18,7 @@ class Orderer {
   Orderer(const SparseRows& rows, const std::vector<Index>& block)
       : rows_(rows),
         block_(block),
-        waiting_(rows.row_count(), false),
+        waiting_(rows.row_count(), 0),
         place_(rows.row_count(), kNone),
         next_(rows.weights().size() + 1, 0) {}
 
@@ -28,7 +28,7 @@ class Orderer {
   std::optional<OrderedRows> run() {
     Index entries = 0;
     for (const Index v : block_) {
-      waiting_[v] = true;
+      waiting_[v] = 1;
       entries += rows_.row_length(v);
     }
     out_.row_count = static_cast<Index>(block_.size());
@@ -37,7 +37,7 @@ class Orderer {
     columns_.reserve(entries);
     // A part that is not connected to what was reached starts with a level of its own.
     for (const Index seed : block_) {
-      if (waiting_[seed] && !order_from(seed)) return std::nullopt;
+      if (waiting_[seed] != 0 && !order_from(seed)) return std::nullopt;
     }
     out_.vertices.insert(out_.vertices.end(), known_.begin(), known_.end());
     return std::move(out_);
@@ -45,7 +45,7 @@ class Orderer {
 
  private:
   // Rows ahead of the one at work for which memory is asked: their places in it look random.
-  static constexpr Index kAhead = 8;
+  static constexpr Index kAhead = 16;
   static constexpr bool kNear = sizeof(Column) < sizeof(Index);
   struct Row {
     Index vertex;
@@ -59,7 +59,8 @@ class Orderer {
 
   bool order_from(Index seed) {
     const Index start = placed();
-    reach(seed);
+    waiting_[seed] = 0;
+    next_level_.assign(1, seed);
     Level before{last_level_, start, 0};
     for (Level level = place_level(); level.begin < level.end;) {
       find_neighbours();
@@ -74,21 +75,24 @@ class Orderer {
 
   [[nodiscard]] Index placed() const { return static_cast<Index>(out_.vertices.size()); }
 
-  void reach(Index v) {
-    waiting_[v] = false;
-    rows_.prefetch_row(v);
-    next_level_.push_back(v);
-  }
-
-  // In the order in which the level itself was found, so that rows near each other stay so.
+  // In the order in which the level itself was found, so that rows near each other stay so. Whether
+  // a neighbour still waits cannot be foreseen, so each is written and only some are counted.
   void find_neighbours() {
+    std::size_t found = 0;
     for (std::size_t i = 0; i < level_.size(); ++i) {
       if (i + 2 * kAhead < level_.size()) rows_.prefetch_row(level_[i + 2 * kAhead]);
       if (i + kAhead < level_.size()) rows_.prefetch_columns(level_[i + kAhead]);
-      for (const Index w : rows_.row_columns(level_[i])) {
-        if (waiting_[w]) reach(w);
+      const std::span<const Index> columns = rows_.row_columns(level_[i]);
+      if (next_level_.size() < found + columns.size())
+        next_level_.resize(2 * (found + columns.size()));
+      Index* next = next_level_.data();
+      for (const Index w : columns) {
+        next[found] = w;
+        found += waiting_[w];
+        waiting_[w] = 0;
       }
     }
+    next_level_.resize(found);
   }
 
   // Gives places to what was reached, sorted by weights by counting. Rows with equal weights stay
@@ -165,7 +169,7 @@ class Orderer {
 
   // A place for what is read and not owned.
   bool learn(Index w) {
-    if (waiting_[w]) return false;
+    if (waiting_[w] != 0) return false;
     place_[w] = out_.row_count + static_cast<Index>(known_.size());
     known_.push_back(w);
     return true;
@@ -173,10 +177,10 @@ class Orderer {
 
   const SparseRows& rows_;
   const std::vector<Index>& block_;
-  std::vector<bool> waiting_;  // #V: of the block, not yet reached
-  std::vector<Index> place_;   // #V
-  std::vector<Index> known_;   // outside the block, in the order of their places
-  std::vector<Index> level_;   // the newest, in the order in which it was found
+  std::vector<unsigned char> waiting_;  // #V: 1 for those of the block that are not yet reached
+  std::vector<Index> place_;            // #V
+  std::vector<Index> known_;            // outside the block, in the order of their places
+  std::vector<Index> level_;            // the newest, in the order in which it was found
   std::vector<Index> next_level_;
   std::vector<Row> sorted_;
   std::vector<Row> lists_;   // of each list of weights in the level, the row that was reached first
