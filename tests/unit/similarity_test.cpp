@@ -204,7 +204,11 @@ TEST(Similarity, OnDooSabinSurfacesIsTheDenseSolution) {
   std::mt19937_64 random(9);
   Mesh creased = test::quad_grid(4, 4);
   creased.creases = {{{4, 5}}, {{5, 6}}, {{6, 7}}, {{9, 13}}};
-  for (const Mesh& mesh : {test::cube(), test::prism(5), creased}) {
+  // Two doublets beside each other, whose limits share all of their control points.
+  Mesh doublets = test::prism(5);
+  doublets = test::split_edge(doublets, 0, 1, {1.1, 0.4, -1});
+  doublets = test::split_edge(doublets, 0, 10, {1.2, 0.2, -1});
+  for (const Mesh& mesh : {test::cube(), test::prism(5), creased, doublets}) {
     for (const Weights weights : {Weights::averaging, Weights::cosine}) {
       SimilarityOptions options;
       options.rules = {Scheme::doo_sabin, Boundary::edge_and_corner, weights};
