@@ -77,10 +77,10 @@ TEST_F(Report, OfSimilarityAndFairing) {
   EXPECT_EQ(fair["similarity"]["membrane"], 0.5);
   const json scale = fair["similarity"]["scale"];
   EXPECT_EQ(scale[0], scale[2]);
-  const json twice = valid({"interpolate", data("octahedron.obj"), "-o", folder_ / "x.ply",
-                            "--method", "similarity", "--scheme", "doo-sabin"},
-                           3);
-  EXPECT_EQ(twice["failure"]["code"], "unsuitable-for-scheme");
+  const json polygons = valid({"interpolate", data("cube.obj"), "-o", folder_ / "x.ply", "--method",
+                               "similarity", "--scheme", "loop"},
+                              3);
+  EXPECT_EQ(polygons["failure"]["code"], "unsuitable-for-scheme");
 }
 
 TEST_F(Report, OfFailedInterpolation) {
