@@ -255,7 +255,8 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
   SolveReport& report = solution.report;
   report.box_side = box.side();
   std::array<Point, 2> corners = {box.low, box.high};  // no coordinate is farther from 0
-  report.tolerance = floored_tolerance(impl_->options.tolerance, flat(std::span(corners)), *unit);
+  report.tolerance =
+      floored_tolerance(impl_->options.tolerance, flat(std::span<const Point>(corners)), *unit);
   // What the coordinates have in common stays out of the sums, and so does its rounding.
   const Point common = common_part(box);
   std::vector<Point> near;
@@ -264,9 +265,10 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
     add_common(corners, common, -1);
     near = solution.points;
   }
-  const Task task{flat(near.empty() ? points : std::span<const Point>(near)), 3, *unit,
-                  floored_tolerance(impl_->options.tolerance, flat(std::span(corners)), *unit),
-                  flat(std::span(solution.points))};
+  const Task task{
+      flat(near.empty() ? points : std::span<const Point>(near)), 3, *unit,
+      floored_tolerance(impl_->options.tolerance, flat(std::span<const Point>(corners)), *unit),
+      flat(std::span(solution.points))};
   auto solved = solve_in_stages(*impl_, task, context, report.notes);
   if (!solved) return tl::make_unexpected(solved.error());
   report.converged = solved->converged();
