@@ -58,10 +58,13 @@ std::size_t few_points(const ReconstructReport& report) {
   return (report.points - report.not_finite - report.duplicates) / 200;
 }
 
-// In boundary loops or unused points, and not worse in the other.
+// In boundary loops or unused points, and not worse in the other or by handles, which scatter
+// makes.
 bool is_better(const ReconstructReport& a, const ReconstructReport& b) {
-  if (a.open_loops < b.open_loops) return a.unused <= b.unused + few_points(b);
-  return a.open_loops == b.open_loops && a.unused + few_points(b) < b.unused;
+  if (a.open_loops > b.open_loops) return false;
+  if (a.open_loops + a.genus.value_or(0) > b.open_loops + b.genus.value_or(0)) return false;
+  if (a.open_loops == b.open_loops) return a.unused + few_points(b) < b.unused;
+  return a.unused <= b.unused + few_points(b);
 }
 
 Result<void> check_memory(std::size_t points) {
@@ -260,6 +263,7 @@ Result<void> Run::try_without_smoothing() {
   const bool may_be_better =
       report().open_loops > 0 || report().unused > report().outliers + few_points(report());
   if (options_.smoothing != Choice::automatic || smoothed_.empty() || !may_be_better) return {};
+  count_parts(mesh_, report());
   const ReconstructReport with = report();
   Mesh mesh = std::exchange(mesh_, {});
   std::vector<Index> unused = std::exchange(result_.unused, {});
@@ -270,6 +274,7 @@ Result<void> Run::try_without_smoothing() {
   auto done = connect();
   if (done) done = clean_mesh();
   if (!done && done.error().code == ErrorCode::cancelled) return done;
+  if (done) count_parts(mesh_, report());
   if (done && is_better(report(), with)) {
     report().warnings.push_back(fmt::format(
         "the points are not smoothed, although they scatter: that would leave {} and {}, "

@@ -136,6 +136,24 @@ TEST(Reconstruct, NoisyPointsAreSmoothedWhereThatIsNeeded) {
   }
 }
 
+TEST(Reconstruct, FewerLoopsAreNotPaidForWithHandles) {
+  int met = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Cloud cloud = with_outliers({{0, 0, 0}, {1, 1, 1}}, 300, seed);  // no surface at all
+    const auto in = [&](Choice smoothing) {
+      return reconstructed(cloud, {.outliers = Choice::off, .smoothing = smoothing});
+    };
+    const Reconstruction smooth = in(Choice::on);
+    const Reconstruction plain = in(Choice::off);
+    const auto faults = [](const ReconstructReport& r) { return r.open_loops + *r.genus; };
+    if (!smooth.report.genus || !plain.report.genus) continue;
+    if (faults(plain.report) <= faults(smooth.report)) continue;
+    if (plain.report.open_loops < smooth.report.open_loops) ++met;
+    EXPECT_TRUE(in(Choice::automatic).mesh == smooth.mesh) << seed;
+  }
+  EXPECT_GT(met, 0);
+}
+
 TEST(Reconstruct, PositionsCanBeForced) {
   const Cloud cloud = torus_cloud(4000, 4);
   const double spacing = reconstructed(cloud).report.spacing * 2.8;
