@@ -6,6 +6,7 @@
 
 #include <surpass/quality.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -38,7 +39,7 @@ class Reconstruct : public Command {
                      Session& session) const;
   Result<void> write_page(const std::vector<Point>& points, const Mesh& mesh, const Mesh& control,
                           Session& session);
-  [[nodiscard]] static Mesh unused_points(const Mesh& given, const std::vector<Index>& unused);
+  [[nodiscard]] static Mesh unused_points(const Mesh& given, const Reconstruction& found);
 
   std::string path_;
   Format from_ = Format::automatic;
@@ -62,8 +63,8 @@ class Reconstruct : public Command {
 void Reconstruct::define(Options& options) {
   options
       .add("POINTS", path_,
-           "The points: PLY, XYZ (also .pwn and .pts), vertices of OBJ or OFF; '-' is the standard "
-           "input")
+           "The points: PLY, XYZ (also .pwn and .pts), vertices of OBJ, OFF or STL; '-' is the "
+           "standard input")
       .required();
   add_from_points(options, from_, "Format of the input, for '-' or to overrule its name");
   output_.define(options, "-o,--output", "The triangle mesh whose vertices are points");
@@ -173,6 +174,7 @@ void Reconstruct::take_optional_values() {
 
 Result<void> Reconstruct::run(Session& session) {
   take_optional_values();
+  if (const auto fits = surface_.check_given(); !fits) return fits;
   std::vector<std::string> further;
   for (const std::string& path : {control_path_, surface_.path()}) {
     if (!path.empty()) further.push_back(path);
@@ -216,8 +218,7 @@ Result<void> Reconstruct::run(Session& session) {
   session.report["distance"] = limit_distances_json(*distances, side);
   session.console.say(summary(*distances, side));
   session.console.say(fmt::format("{:.3g} s", session.seconds()));
-  if (const auto written =
-          write(found->mesh, *interpolated, unused_points(given, found->unused), session);
+  if (const auto written = write(found->mesh, *interpolated, unused_points(given, *found), session);
       !written) {
     return written;
   }
@@ -274,17 +275,20 @@ Result<Interpolated> Reconstruct::interpolate_mesh(const Mesh& mesh, Session& se
   return found;
 }
 
-Mesh Reconstruct::unused_points(const Mesh& given, const std::vector<Index>& unused) {
+// With the channels that the mesh has, too.
+Mesh Reconstruct::unused_points(const Mesh& given, const Reconstruction& found) {
   Mesh points;
+  for (const Index i : found.unused) points.points.push_back(given.points[i]);
   for (const Channel& channel : given.channels) {
+    const bool is_carried =
+        std::any_of(found.mesh.channels.begin(), found.mesh.channels.end(),
+                    [&](const Channel& carried) { return carried.name == channel.name; });
+    if (!is_carried) continue;
     points.channels.push_back({channel.name, channel.parts, {}, channel.storage});
-  }
-  for (const Index i : unused) {
-    points.points.push_back(given.points[i]);
-    for (std::size_t c = 0; c < given.channels.size(); ++c) {
-      const std::size_t width = given.channels[c].width();
-      const double* row = given.channels[c].values.data() + i * width;
-      points.channels[c].values.insert(points.channels[c].values.end(), row, row + width);
+    std::vector<double>& values = points.channels.back().values;
+    for (const Index i : found.unused) {
+      const double* row = channel.values.data() + i * channel.width();
+      values.insert(values.end(), row, row + channel.width());
     }
   }
   return points;

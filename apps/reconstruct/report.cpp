@@ -20,8 +20,8 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 
 Json reconstruction_json(const ReconstructReport& r) {
   Json json = {{"points", r.points},     {"not_finite", r.not_finite}, {"duplicates", r.duplicates},
-               {"outliers", r.outliers}, {"unused", r.unused},         {"spacing", r.spacing},
-               {"noise", r.noise}};
+               {"outliers", r.outliers}, {"unused", r.unused},         {"spacing", r.spacing}};
+  if (r.noise) json["noise"] = *r.noise;
   if (r.sheet_gap) json["sheet_gap"] = *r.sheet_gap;
   json["smoothing_passes"] = r.smoothing_passes;
   json["smoothed_positions"] = r.smoothed_positions;
@@ -53,7 +53,8 @@ std::string summary(const ReconstructReport& r, const Mesh& mesh) {
                   r.not_finite, counted(r.duplicates, "duplicate", "duplicates"),
                   counted(r.outliers, "outlier", "outliers"), r.unused);
   text += fmt::format(
-      "spacing {:.3g} of the box side, noise {:.2g} spacings{}\n", r.spacing, r.noise,
+      "spacing {:.3g} of the box side{}{}\n", r.spacing,
+      r.noise ? fmt::format(", noise {:.2g} spacings", *r.noise) : "",
       r.smoothing_passes == 0
           ? ", not smoothed"
           : fmt::format(", smoothed in {}{}", counted(r.smoothing_passes, "pass", "passes"),

@@ -43,6 +43,18 @@ Result<void> check_folder(const std::string& path) {
 
 /// The formats that files can be written in, for messages.
 constexpr char kEndings[] = ".obj, .ply, .off or .stl";
+constexpr char kPointEndings[] = ".ply, .xyz, .obj or .off";
+
+/// Files are written one by one: if one cannot be, the user is told which ones are there.
+Error beside_what_is_written(Error error, const Session& session) {
+  if (!session.report.contains("outputs")) return error;
+  std::string names;
+  for (const Json& output : session.report["outputs"]) {
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", output["path"].get<std::string>());
+  }
+  error.message += fmt::format(" (already written: {})", names);
+  return error;
+}
 
 /// XYZ has no faces: a mesh is not meant to be written there.
 Format format_for_meshes(const std::string& path) {
@@ -71,9 +83,8 @@ Result<void> check_paths(const std::vector<std::string>& inputs,
     for (const std::string& input : inputs) {
       if (!force && same_file(outputs[i], input)) {
         return fail(ErrorCode::invalid_argument,
-                    fmt::format("'{}' is an input; write to another file, or add --force to "
-                                "replace it",
-                                outputs[i]));
+                    "is an input; write to another file, or add --force to replace it",
+                    {.file = outputs[i]});
       }
     }
     if (const auto checked = check_folder(outputs[i]); !checked) return checked;
@@ -89,7 +100,8 @@ Result<void> check_report_path(const Session& session, const std::vector<std::st
 Result<void> write_bytes(const std::string& path, std::string_view bytes, Session& session) {
   if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
   const UnfinishedFile unfinished(path);
-  return session.timed("write", [&] { return write_file(path, bytes); });
+  const auto done = session.timed("write", [&] { return write_file(path, bytes); });
+  return done ? done : tl::make_unexpected(beside_what_is_written(done.error(), session));
 }
 
 void MeshOutput::define(Options& options, const std::string& name, const std::string& description) {
@@ -136,10 +148,17 @@ Result<void> MeshOutput::prepare(const Session& session, const std::vector<std::
     }
   }
   for (const std::string& path : point_outputs) {
-    if (path != "-" && format_of_path(path) == Format::automatic) {
+    const Format format = path == "-" ? options_.format : format_of_path(path);
+    if (format == Format::automatic) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("'{}' does not name a format; end it in {}", path, kPointEndings));
+    }
+    if (format == Format::stl) {
       return fail(
           ErrorCode::invalid_argument,
-          fmt::format("'{}' does not name a format; end it in .ply, .xyz, .obj or .off", path));
+          fmt::format("'{}' would be STL, which holds triangles only, no points; write them "
+                      "to a file that ends in {}",
+                      path, kPointEndings));
     }
   }
   if (ascii_) options_.encoding = Encoding::ascii;
@@ -161,7 +180,7 @@ Result<void> MeshOutput::write(const Mesh& mesh, const std::string& path, Sessio
   if (path != path_ && path != "-") options.format = format_of_path(path);
   const UnfinishedFile unfinished(path);
   const auto lost = session.timed("write", [&] { return write_mesh(mesh, path, options); });
-  if (!lost) return tl::make_unexpected(lost.error());
+  if (!lost) return tl::make_unexpected(beside_what_is_written(lost.error(), session));
   session.console.notes(*lost);
   session.report["outputs"].push_back({{"path", path},
                                        {"format", name_of(options.format)},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include <CLI/App.hpp>
@@ -154,8 +156,21 @@ Option Options::add(const std::string& name, int& target, const std::string& des
   return Option(app_->add_option(name, target, description));
 }
 
+// By way of a double, so that "1e6" is a count, too.
 Option Options::add(const std::string& name, Index& target, const std::string& description) {
-  return Option(app_->add_option(name, target, description));
+  const auto take = [&target](const std::string& word) {
+    double number = 0;
+    CLI::detail::lexical_cast(word, number);
+    target = static_cast<Index>(number);
+  };
+  CLI::Option* option = app_->add_option_function<std::string>(name, take, description);
+  option->type_name("UINT");
+  return checked(option, [](const std::string& word) -> std::string {
+    double number = 0;
+    const bool whole = CLI::detail::lexical_cast(word, number) && number >= 0 &&
+                       number <= std::numeric_limits<Index>::max() && number == std::floor(number);
+    return whole ? "" : fmt::format("'{}' is not a whole number of at least 0", word);
+  });
 }
 
 Option Options::add(const std::string& name, std::vector<Index>& target,

@@ -68,6 +68,10 @@ int execute(Command& command, const Options& options, Session& session) {
     session.console.error(describe(outcome.error()));
   }
   session.tell_times();
+  // Where it cannot go, or must not because an input is there, one sentence is enough.
+  if (!outcome && session.reporting() && outcome.error().place.file == session.report_path) {
+    return exit_status(outcome.error().code);
+  }
   const Result<void> written = finish_report(session, outcome ? nullptr : &outcome.error());
   if (!written) session.console.error(describe(written.error()));
   if (!outcome) return exit_status(outcome.error().code);

@@ -10,8 +10,15 @@ void SurfaceOutput::define(Options& options, const std::string& and_of) {
            "Also write the limit surface: the control mesh refined and moved to the limit")
       .type_name("FILE")
       .group("Surface");
-  add_levels(options, levels_, "Refinement steps of --surface, from the control mesh on" + and_of)
-      .group("Surface");
+  levels_option_ = add_levels(options, levels_,
+                              "Refinement steps of --surface, from the control mesh on" + and_of)
+                       .group("Surface");
+}
+
+Result<void> SurfaceOutput::check_given() const {
+  if (wanted() || !levels_option_.given()) return {};
+  return fail(ErrorCode::invalid_argument,
+              "--levels is for --surface, which is not given; add --surface FILE, or leave it out");
 }
 
 Result<void> SurfaceOutput::check(const Mesh& control) const {

@@ -18,6 +18,9 @@ class SurfaceOutput {
   /// `and_of` says what else the levels are for.
   void define(Options& options, const std::string& and_of = "");
 
+  /// For commands that have no other use of the levels: fails if they are given without a file.
+  [[nodiscard]] Result<void> check_given() const;
+
   [[nodiscard]] bool wanted() const { return !path_.empty(); }
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] int levels() const { return levels_; }
@@ -36,6 +39,7 @@ class SurfaceOutput {
  private:
   std::string path_;
   int levels_ = 3;
+  Option levels_option_;
 };
 
 }  // namespace surpass::cli

@@ -40,8 +40,10 @@ enum class Positions {
 /// Lengths in `spacing`s are multiples of the median over the points of the mean distance to their
 /// six nearest neighbours.
 struct ReconstructOptions {
-  Choice outliers = Choice::automatic;   ///< leave out points that stand alone
-  Choice smoothing = Choice::automatic;  ///< smooth the points before they are connected
+  Choice outliers = Choice::automatic;  ///< leave out points that stand alone
+  /// Smooth the points before they are connected. Automatic: if they scatter by more than 0.15
+  /// spacings, and unless that leaves more boundary loops or unused points than there are without.
+  Choice smoothing = Choice::automatic;
   Positions positions = Positions::automatic;
   Closing close = Closing::small;
   /// Largest perimeter of a triangle in spacings; 0 is no bound, and the default is 8 where
@@ -67,8 +69,11 @@ struct ReconstructReport {
   std::size_t unused = 0;      ///< finite points at whose place the full mesh has no vertex
   double box_side = 0;         ///< largest side of the finite points' box
   double spacing = 0;          ///< relative to box_side
-  double noise = 0;            ///< standard deviation from a local quadric, median, in spacings
-  /// Median distance of nearby parallel sheets in spacings, where there are such; else absent.
+  /// Scatter about the surface: standard deviation from a local quadric, median, in spacings.
+  /// Absent for clouds of fewer than 180 points, where it cannot be told from curvature.
+  std::optional<double> noise = {};
+  /// Median distance of nearby parallel sheets in spacings, where there are such; else absent, as
+  /// for clouds of fewer than 180 points.
   std::optional<double> sheet_gap = {};
   unsigned smoothing_passes = 0;
   bool smoothed_positions = false;  ///< vertices are not input points
@@ -97,8 +102,9 @@ struct Reconstruction {
 
 /// Cleans the points, connects them by CGAL's advancing front (D. Cohen-Steiner, F. Da, A greedy
 /// Delaunay-based surface reconstruction algorithm, The Visual Computer 20, 2004), fills holes,
-/// orients and simplifies. Channels (#points rows) are carried to the vertices. The result does not
-/// depend on the number of threads.
+/// orients and simplifies. Channels (#points rows) are carried to the vertices, but for those with
+/// numbers that are not finite at finite points: a warning names them. The result does not depend
+/// on the number of threads.
 ///
 /// Linear in practice; about 2.4 kB a point at the peak. Errors: fewer than four different finite
 /// points, points on one line (`unsuitable_for_scheme`), coordinates so large that their box

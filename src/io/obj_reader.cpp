@@ -64,6 +64,7 @@ class ObjReader {
 
   bool finish();
   bool check(const Numbered& numbered);
+  bool take_normals_of_points();
   void finish_corners(CornerTable& table, const char* name);
   void finish_notices();
 
@@ -342,9 +343,23 @@ bool ObjReader::finish() {
     mesh_.channels.push_back({"color", colours_.colour_parts(), std::move(colours_.values())});
   }
   finish_corners(texture_, "texture");
-  finish_corners(normal_, "normal");
+  if (!take_normals_of_points()) finish_corners(normal_, "normal");
   mesh_.face_sets = sets_.finish(mesh_.face_count());
   finish_notices();
+  return true;
+}
+
+// Without faces nothing names a normal: in clouds of points, each belongs to the point of its
+// number.
+bool ObjReader::take_normals_of_points() {
+  const std::size_t count = normal_.rows.count;
+  if (mesh_.face_count() > 0 || count == 0) return false;
+  if (count != mesh_.points.size()) {
+    out_.notices.push_back(fmt::format("{} normals cannot belong to {} vertices without faces",
+                                       count, mesh_.points.size()));
+    return false;
+  }
+  mesh_.channels.push_back({"normal", {"nx", "ny", "nz"}, std::move(normal_.values)});
   return true;
 }
 

@@ -13,11 +13,14 @@ Result<void> write_xyz(const Mesh& mesh, const WriteOptions& options, std::strin
     notes.push_back(fmt::format("XYZ has no place for faces; {} left out", mesh.face_count()));
   }
   const Channel* written[] = {find_channel(mesh, "normal", 3, 3),
-                              find_channel(mesh, "color", 3, 3)};
+                              find_channel(mesh, "color", 3, 4)};
   for (const Channel& channel : mesh.channels) {
     if (&channel != written[0] && &channel != written[1]) {
       note_lost("XYZ", "channel", channel.name, notes);
     }
+  }
+  if (written[1] != nullptr && written[1]->width() == 4) {
+    notes.emplace_back("XYZ has no place for the alpha of colours; it is left out");
   }
   for (const std::string& line : options.comments) append_comment(bytes, "#", line);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -26,7 +29,7 @@ Result<void> write_xyz(const Mesh& mesh, const WriteOptions& options, std::strin
     append_spaced(bytes, mesh.points[v][2]);
     for (const Channel* channel : written) {
       for (std::size_t k = 0; channel != nullptr && k < 3; ++k) {
-        append_spaced(bytes, channel->values[3 * v + k]);
+        append_spaced(bytes, channel->values[channel->width() * v + k]);
       }
     }
     bytes += '\n';

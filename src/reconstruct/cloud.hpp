@@ -33,9 +33,12 @@ struct Cloud {
 [[nodiscard]] Result<double> spacing_of(const Cloud& cloud, const Neighbours& neighbours,
                                         const Context& context);
 
-/// Measured at some thousand points spread over the cloud; lengths in spacings.
+/// Measured at some thousand points spread over the cloud; lengths in spacings. Nothing is found in
+/// clouds of fewer than 180 points.
 struct Roughness {
-  double noise = 0;                 ///< median deviation from the local quadric
+  /// Median deviation from the local quadric of a point's own sheet. Absent where no sheet has
+  /// enough points near each other.
+  std::optional<double> noise;
   double share_of_sheets = 0;       ///< of the points that have a second sheet near them
   std::optional<double> sheet_gap;  ///< median distance to it, where two sheets are that near
 };

@@ -82,25 +82,4 @@ LocalFit fit_quadric(std::span<const Point> points, Index i, std::span<const Ind
   return {{moved[0], moved[1], moved[2]}, freedom > 0 ? size * std::sqrt(sum / freedom) : 0};
 }
 
-double gap_between_sheets(std::span<const Point> points, Index i,
-                          std::span<const Index> neighbours) {
-  constexpr std::size_t kLeastInSheet = 3;
-  const std::vector<Index> all = with_itself(i, neighbours);
-  if (all.size() < 2 * kLeastInSheet) return 0;
-  const LocalPlane plane = fit_plane(points, all);
-  std::vector<double> heights;
-  heights.reserve(all.size());
-  for (const Index j : all) heights.push_back(plane.local(points[j])[2]);
-  std::sort(heights.begin(), heights.end());
-  double gap = 0;
-  double filled = 0;
-  for (std::size_t k = kLeastInSheet; k + kLeastInSheet <= heights.size(); ++k) {
-    const double space = heights[k] - heights[k - 1];
-    if (space <= gap) continue;
-    gap = space;
-    filled = std::max(heights[k - 1] - heights.front(), heights.back() - heights[k]);
-  }
-  return gap > filled ? gap : 0;
-}
-
 }  // namespace surpass::reconstruction

@@ -33,9 +33,4 @@ struct LocalFit {
 [[nodiscard]] LocalFit fit_quadric(std::span<const Point> points, Index i,
                                    std::span<const Index> neighbours);
 
-/// Where the heights of points over their plane fall into two groups with more empty space between
-/// them than either group fills: the width of that space, else 0.
-[[nodiscard]] double gap_between_sheets(std::span<const Point> points, Index i,
-                                        std::span<const Index> neighbours);
-
 }  // namespace surpass::reconstruction

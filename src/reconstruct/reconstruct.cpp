@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -48,6 +49,24 @@ Result<void> check(const ReconstructOptions& options) {
   return {};
 }
 
+std::string counted(std::size_t n, const char* what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+// So many unused points more or less do not matter.
+std::size_t few_points(const ReconstructReport& report) {
+  return (report.points - report.not_finite - report.duplicates) / 200;
+}
+
+// In boundary loops or unused points, and not worse in the other or by handles, which scatter
+// makes.
+bool is_better(const ReconstructReport& a, const ReconstructReport& b) {
+  if (a.open_loops > b.open_loops) return false;
+  if (a.open_loops + a.genus.value_or(0) > b.open_loops + b.genus.value_or(0)) return false;
+  if (a.open_loops == b.open_loops) return a.unused + few_points(b) < b.unused;
+  return a.unused <= b.unused + few_points(b);
+}
+
 Result<void> check_memory(std::size_t points) {
   const double needed = static_cast<double>(points) * kBytesAPoint;
   const double there =
@@ -66,9 +85,9 @@ class Run {
       : given_(points), channels_(channels), options_(options), context_(context) {}
 
   Result<Reconstruction> run() {
-    for (const auto step :
-         {&Run::clean_points, &Run::leave_out_outliers, &Run::measure, &Run::smooth_points,
-          &Run::connect, &Run::clean_mesh, &Run::simplify_mesh, &Run::finish}) {
+    for (const auto step : {&Run::clean_points, &Run::leave_out_outliers, &Run::measure,
+                            &Run::smooth_points, &Run::connect, &Run::clean_mesh,
+                            &Run::try_without_smoothing, &Run::simplify_mesh, &Run::finish}) {
       if (const auto done = (this->*step)(); !done) return tl::make_unexpected(done.error());
       if (context_.cancelled()) {
         return fail(ErrorCode::cancelled, "the reconstruction was interrupted");
@@ -88,10 +107,12 @@ class Run {
   Result<void> connect();
   Result<void> clean_mesh();
   Result<void> make_manifold();
+  Result<void> try_without_smoothing();
   Result<void> simplify_mesh();
   Result<void> finish();
   void note_unused();
   void carry_channels();
+  [[nodiscard]] std::size_t points_without(const Channel& channel) const;
   [[nodiscard]] std::vector<Point> given_normals() const;
   [[nodiscard]] ReconstructReport& report() { return result_.report; }
 
@@ -105,7 +126,8 @@ class Run {
   double spacing_ = 0;  // in the cloud's box, as all lengths here
   double share_of_sheets_ = 0;
   std::vector<Point> smoothed_;  // empty if they are not
-  Mesh mesh_;                    // its points are in the cloud's box
+  ReconstructReport before_connecting_;
+  Mesh mesh_;  // its points are in the cloud's box
   Features features_;
   Reconstruction result_;
 };
@@ -165,7 +187,7 @@ Result<void> Run::measure() {
 Result<void> Run::smooth_points() {
   // Smoothing would pull two sheets that near into one.
   constexpr double kManySheets = 0.2;
-  const double noise = report().noise;
+  const double noise = report().noise.value_or(0);
   const bool needed = noise > kSmoothFrom && share_of_sheets_ < kManySheets;
   const bool wanted =
       options_.smoothing == Choice::on || (options_.smoothing == Choice::automatic && needed);
@@ -180,6 +202,7 @@ Result<void> Run::smooth_points() {
 }
 
 Result<void> Run::connect() {
+  before_connecting_ = report();
   report().perimeter = options_.perimeter.value_or(report().outliers > 0 ? kBoundWithOutliers : 0);
   const std::vector<Point> sites =
       untied(smoothed_.empty() ? cloud_.points : smoothed_, kUntie * spacing_);
@@ -214,7 +237,7 @@ Result<void> Run::make_manifold() {
 
 Result<void> Run::clean_mesh() {
   const double faces = mesh_.face_count();
-  const bool rough = report().outliers > 0 || report().noise > kMuchNoise;
+  const bool rough = report().outliers > 0 || report().noise.value_or(0) > kMuchNoise;
   report().dropped_pieces =
       drop_small_pieces(mesh_, rough ? kSmallPiece : std::min(kSmallPiece, 10 / faces));
   if (const auto made = make_manifold(); !made) return made;
@@ -232,6 +255,38 @@ Result<void> Run::clean_mesh() {
   orient_pieces(mesh_, given_normals());
   report().full_vertices = mesh_.vertex_count();
   note_unused();
+  return {};
+}
+
+// Of a mesh that is closed and uses all points there is none better; else both are made.
+Result<void> Run::try_without_smoothing() {
+  const bool may_be_better =
+      report().open_loops > 0 || report().unused > report().outliers + few_points(report());
+  if (options_.smoothing != Choice::automatic || smoothed_.empty() || !may_be_better) return {};
+  count_parts(mesh_, report());
+  const ReconstructReport with = report();
+  Mesh mesh = std::exchange(mesh_, {});
+  std::vector<Index> unused = std::exchange(result_.unused, {});
+  std::vector<Point> points = std::exchange(smoothed_, {});
+  report() = before_connecting_;
+  report().smoothing_passes = 0;
+  report().smoothed_positions = false;
+  auto done = connect();
+  if (done) done = clean_mesh();
+  if (!done && done.error().code == ErrorCode::cancelled) return done;
+  if (done) count_parts(mesh_, report());
+  if (done && is_better(report(), with)) {
+    report().warnings.push_back(fmt::format(
+        "the points are not smoothed, although they scatter: that would leave {} and {}, "
+        "not {} and {}",
+        counted(with.open_loops, "boundary loop"), counted(with.unused, "unused point"),
+        report().open_loops, report().unused));
+    return {};
+  }
+  report() = with;
+  mesh_ = std::move(mesh);
+  result_.unused = std::move(unused);
+  smoothed_ = std::move(points);
   return {};
 }
 
@@ -278,9 +333,24 @@ Result<void> Run::simplify_mesh() {
   return {};
 }
 
+// Files have no place for them, and no renderer a use.
+std::size_t Run::points_without(const Channel& channel) const {
+  const std::size_t width = channel.width();
+  return static_cast<std::size_t>(std::count_if(distinct_.begin(), distinct_.end(), [&](Index i) {
+    const double* row = channel.values.data() + i * width;
+    return !std::all_of(row, row + width, [](double x) { return std::isfinite(x); });
+  }));
+}
+
 void Run::carry_channels() {
   for (const Channel& channel : channels_) {
     const std::size_t width = channel.width();
+    if (const std::size_t without = points_without(channel); without > 0) {
+      report().warnings.push_back(
+          fmt::format("the channel '{}' is left out: at {} of {} points it is not finite",
+                      channel.name, without, distinct_.size()));
+      continue;
+    }
     Channel carried{channel.name, channel.parts, {}, channel.storage};
     carried.values.reserve(result_.source.size() * width);
     for (const Index i : result_.source) {

@@ -37,19 +37,19 @@ void add_warnings(double share_of_sheets, std::optional<Index> wanted, Index ver
         "second sheet); below 1.5 they may be joined, so look at the mesh, or sample more densely",
         *r.sheet_gap, 100 * share_of_sheets));
   }
-  if (r.noise > kMuchNoise) {
+  if (r.noise.value_or(0) > kMuchNoise) {
     warnings.push_back(fmt::format(
         "the points scatter by {:.2f} spacings about the surface, more than 0.3: fine detail is "
         "lost, and handles or holes may be wrong",
-        r.noise));
+        *r.noise));
   }
   const double share =
       static_cast<double>(r.unused) / static_cast<double>(r.points - r.not_finite - r.duplicates);
   if (share > kManyUnused) {
     warnings.push_back(
-        fmt::format("{} points ({:.1f} %) are not used by the mesh, of them {} as "
-                    "outliers",
-                    r.unused, 100 * share, r.outliers));
+        fmt::format("{} not used by the mesh ({:.1f} % of all), of them {} as outliers",
+                    r.unused == 1 ? "1 point is" : fmt::format("{} points are", r.unused),
+                    100 * share, r.outliers));
   }
   if (wanted && vertices > *wanted) {
     warnings.push_back(

@@ -1,6 +1,8 @@
 // surpass reconstruct, which is a program of its own behind the same command line.
+#include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -89,6 +91,64 @@ TEST_F(ReconstructCommand, ExitCodesAreThoseOfSurpass) {
             std::string::npos)
       << wrong.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x.ply"));
+}
+
+TEST_F(ReconstructCommand, WhatCannotBeIsRefusedBeforeTheWork) {
+  const std::string points = folder_.file("torus.xyz", torus_xyz(500));
+  const auto refused = [&](std::vector<std::string> words, const char* sentence) {
+    words.insert(words.begin(), {"reconstruct", points});
+    const Outcome outcome = surpass(words);
+    EXPECT_EQ(outcome.status, 1) << sentence;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"torus.xyz"});
+  };
+  const std::string mesh = folder_ / "mesh.ply";
+  refused({"-o", mesh, "--unused", folder_ / "u.stl"}, "would be STL, which holds triangles only");
+  refused({"-o", folder_ / "mesh.stl", "--unused", "-"}, "would be STL");
+  refused({"-o", mesh, "--levels", "2"}, "--levels is for --surface");
+  refused({"-o", mesh, "--vertices", "1e-3"}, "'1e-3' is not a whole number");
+  refused({"-o", mesh, "--vertices", "3"}, "'3' is not a number from 4");
+  refused({"-o", mesh, "--report", points}, "is an input");
+  EXPECT_EQ(slurp(points), torus_xyz(500));
+  const Outcome lost = surpass({"reconstruct", points, "-o", mesh, "--report", "/nonexist/r.json"});
+  EXPECT_EQ(lost.status, 5);
+  EXPECT_EQ(std::count(lost.err.begin(), lost.err.end(), '\n'), 1) << lost.err;
+}
+
+TEST_F(ReconstructCommand, CountsMayHaveExponents) {
+  const std::string points = folder_.file("torus.xyz", torus_xyz(1000));
+  const json report =
+      report_of({"reconstruct", points, "-o", folder_ / "mesh.ply", "--vertices", "3e2"}, 0);
+  EXPECT_EQ(report["mesh"]["vertices"], 300);
+}
+
+TEST_F(ReconstructCommand, ChannelsThatAreNotFiniteAreLeftOut) {
+  std::string text;
+  std::istringstream lines(torus_xyz(400));
+  std::size_t n = 0;
+  for (std::string line; std::getline(lines, line); ++n) {
+    const bool bad = n == 7;
+    text += line.substr(0, line.find(' ', line.find(' ', line.find(' ') + 1) + 1)) +
+            (bad ? " nan nan nan\n" : " 0 0 1\n");
+  }
+  const std::string points = folder_.file("torus.xyz", text);
+  report_of({"reconstruct", points, "-o", folder_ / "mesh.ply", "--unused", folder_ / "u.ply"}, 0);
+  EXPECT_NE(outcome_.err.find("the channel 'normal' is left out: at 1 of 400 points"),
+            std::string::npos)
+      << outcome_.err;
+  EXPECT_EQ(slurp(folder_ / "mesh.ply").find("nx"), std::string::npos);
+  EXPECT_EQ(slurp(folder_ / "u.ply").find("nx"), std::string::npos);
+}
+
+TEST_F(ReconstructCommand, AFailedOutputTellsWhichFilesAreThere) {
+  const std::string points = folder_.file("torus.xyz", torus_xyz(500));
+  const std::string full = folder_ / "full.ply";
+  std::filesystem::create_symlink("/dev/full", full);
+  report_of({"reconstruct", points, "-o", folder_ / "mesh.ply", "--control", full}, 5);
+  EXPECT_NE(outcome_.err.find("(already written: '" + (folder_ / "mesh.ply") + "')"),
+            std::string::npos)
+      << outcome_.err;
 }
 
 TEST_F(ReconstructCommand, AnInterruptionLeavesNothingBehind) {

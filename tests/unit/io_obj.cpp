@@ -173,6 +173,23 @@ TEST(Obj, VertexNormalsAndTextureAreWrittenAsRowsPerVertex) {
       (std::vector<std::string>{"OBJ has no place for the channel 'weight'; it is left out"}));
 }
 
+TEST(Obj, NormalsOfPointsWithoutFacesComeBack) {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.channels = {{"color", {"red", "green", "blue"}, {0, 0.5, 1, 1, 0, 0, 0.25, 0, 0}},
+                   {"normal", {"nx", "ny", "nz"}, {0, 0, 1, 0, 0.6, 0.8, -1, 0, 0}}};
+  EXPECT_EQ(written_and_read(mesh, {.format = Format::obj}), mesh);
+  const auto points = parse_points(formatted(mesh, {.format = Format::obj}), Format::obj, "test");
+  ASSERT_TRUE(points);
+  EXPECT_EQ(points->mesh, mesh);
+  const LoadedMesh fewer = parsed("v 0 0 0\nv 1 0 0\nvn 0 0 1\n", Format::obj);
+  EXPECT_TRUE(fewer.mesh.channels.empty());
+  EXPECT_EQ(fewer.notices,
+            std::vector<std::string>{"1 normals cannot belong to 2 vertices without faces"});
+  const Mesh face = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1 2 3\n");
+  EXPECT_TRUE(face.channels.empty());
+}
+
 TEST(Obj, WritesTheShortestDigitsThatReadBack) {
   Mesh mesh = unit_triangle();
   mesh.points = {{0.1, 1e300, -5e-324}, {1.0 / 3, 1e5, 123456789}, {-0.0, 2.5, 1e-7}};

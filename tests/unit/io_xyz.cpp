@@ -103,6 +103,17 @@ TEST(Xyz, ComesBackBitForBit) {
   EXPECT_EQ(notes.size(), 2U);
 }
 
+TEST(Xyz, ColoursLoseTheirAlphaOnly) {
+  Mesh mesh;
+  mesh.points = {{1, 2, 3}, {4, 5, 6}};
+  mesh.channels = {
+      {"color", {"red", "green", "blue", "alpha"}, {255, 0, 7, 9, 1, 2, 3, 8}, Storage::uint8}};
+  std::vector<std::string> notes;
+  EXPECT_EQ(formatted(mesh, {.format = Format::xyz}, &notes), "1 2 3 255 0 7\n4 5 6 1 2 3\n");
+  EXPECT_EQ(notes,
+            std::vector<std::string>{"XYZ has no place for the alpha of colours; it is left out"});
+}
+
 TEST(Xyz, ByName) {
   EXPECT_EQ(format_of_path("a/b.XYZ"), Format::xyz);
   EXPECT_EQ(format_of_path("b.pwn"), Format::xyz);

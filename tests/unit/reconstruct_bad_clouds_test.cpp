@@ -110,27 +110,51 @@ TEST(BadCloud, BoxesThatOverflowAreRefused) {
   EXPECT_EQ(refusal(cloud).code, ErrorCode::too_large);
 }
 
+Cloud two_spheres(double gap, double noise = 0) {
+  constexpr double kSide = 0.0793;  // 2000 points: one in a square of this side
+  Cloud cloud = sphere_cloud(2000);
+  for (Point p : sphere_cloud(2000)) {
+    for (double& x : p) x *= 1 - kSide * gap;
+    cloud.push_back(p);
+  }
+  return with_noise(cloud, kSide * noise, 4);
+}
+
 TEST(BadCloud, SheetsCloserThanThePointsAreAreNamed) {
-  const auto two_spheres = [](double gap) {
-    Cloud cloud = sphere_cloud(2000);  // one point in a square of side 0.0793
-    for (Point p : sphere_cloud(2000)) {
-      for (double& x : p) x *= 1 - 0.0793 * gap;
-      cloud.push_back(p);
-    }
-    return reconstructed(cloud);
-  };
   const auto warns = [](const Reconstruction& found) {
     for (const std::string& warning : found.report.warnings) {
       if (warning.find("second sheet") != std::string::npos) return true;
     }
     return false;
   };
-  EXPECT_TRUE(warns(two_spheres(1.0)));
-  const Reconstruction apart = two_spheres(2.5);
+  EXPECT_TRUE(warns(reconstructed(two_spheres(1.0))));
+  const Reconstruction apart = reconstructed(two_spheres(2.5));
   EXPECT_FALSE(warns(apart));
   EXPECT_EQ(apart.report.pieces, 2U);
   EXPECT_EQ(apart.report.genus, 0U);
   EXPECT_EQ(apart.report.open_loops, 0U);
+}
+
+TEST(BadCloud, SheetsAreMeasuredAndAreNoNoise) {
+  for (const double gap : {1.0, 1.2, 1.4, 1.6, 2.0}) {
+    for (const double noise : {0.0, 0.1}) {
+      SCOPED_TRACE(gap);
+      const ReconstructReport report = reconstructed(two_spheres(gap, noise)).report;
+      const double unit = report.spacing * report.box_side / 0.0793;  // spacings in sides
+      ASSERT_TRUE(report.sheet_gap);
+      EXPECT_NEAR(*report.sheet_gap * unit, gap, noise == 0 ? 0.01 * gap : 0.05 * gap);
+      ASSERT_TRUE(report.noise);
+      EXPECT_NEAR(*report.noise * unit, noise, noise == 0 ? 0.001 : 0.03);
+    }
+  }
+}
+
+TEST(BadCloud, BehindAnEdgeThereIsNoSecondSheet) {
+  for (const int n : {8, 12, 20}) {
+    const ReconstructReport report = reconstructed(cube_cloud(n)).report;
+    EXPECT_FALSE(report.sheet_gap) << n;
+    EXPECT_NEAR(report.noise.value_or(1), 0, 1e-9) << n;
+  }
 }
 
 TEST(BadCloud, OptionsOutOfRange) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "reconstruct_clouds.hpp"
+#include "support/meshes.hpp"
 
 namespace surpass::test {
 namespace {
@@ -37,7 +38,8 @@ TEST(Reconstruct, SpacingIsMeasured) {
   }
   const Reconstruction found = reconstructed(grid);
   EXPECT_NEAR(found.report.spacing, (4 + 2 * std::sqrt(2.0)) / 6 / 49, 1e-12);
-  EXPECT_NEAR(found.report.noise, 0, 1e-9);
+  ASSERT_TRUE(found.report.noise);
+  EXPECT_NEAR(*found.report.noise, 0, 1e-9);
 }
 
 TEST(Reconstruct, NoiseIsMeasured) {
@@ -45,8 +47,80 @@ TEST(Reconstruct, NoiseIsMeasured) {
   const double spacing = reconstructed(cloud).report.spacing * 2.8;
   for (const double sigma : {0.1, 0.3, 0.5}) {
     const Reconstruction found = reconstructed(with_noise(cloud, sigma * spacing, 5));
-    EXPECT_NEAR(found.report.noise, sigma, 0.3 * sigma) << sigma;
+    ASSERT_TRUE(found.report.noise);
+    EXPECT_NEAR(*found.report.noise, sigma, 0.3 * sigma) << sigma;
   }
+  // Nearly even points, of which the spacing after the noise is measured here, too.
+  for (const double sigma : {0.1, 0.2, 0.3}) {
+    const Reconstruction found =
+        reconstructed(with_noise(sphere_cloud(8000), sigma * std::sqrt(4 * M_PI / 8000), 3));
+    const double truth = sigma * std::sqrt(4 * M_PI / 8000) / found.report.box_side;
+    EXPECT_NEAR(*found.report.noise * found.report.spacing, truth, 0.03 * truth) << sigma;
+  }
+}
+
+// A grid on the torus of radii 3 and 1.
+Cloud torus_grid(int along, int around) {
+  Cloud cloud;
+  for (int i = 0; i < along; ++i) {
+    for (int j = 0; j < around; ++j) {
+      const double u = 2 * M_PI * i / along;
+      const double v = 2 * M_PI * j / around;
+      cloud.push_back(
+          {(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
+    }
+  }
+  return cloud;
+}
+
+TEST(Reconstruct, CurvatureIsNoNoise) {
+  for (const auto& [cloud, genus] : {std::pair{torus_grid(16, 10), 1U},
+                                     {torus_grid(24, 10), 1U},
+                                     {torus_grid(60, 16), 1U},
+                                     {icosahedron().points, 0U},
+                                     {sphere_cloud(20), 0U},
+                                     {cube_cloud(7), 0U}}) {
+    SCOPED_TRACE(cloud.size());
+    const Reconstruction found = reconstructed(cloud);
+    expect_closed(found, genus);
+    expect_input_points(found, cloud);
+    EXPECT_EQ(found.mesh.vertex_count(), cloud.size());
+    EXPECT_EQ(found.report.smoothing_passes, 0U);
+    EXPECT_TRUE(found.report.warnings.empty()) << found.report.warnings.front();
+    EXPECT_EQ(found.report.noise.has_value(), cloud.size() >= 180);
+    EXPECT_LT(found.report.noise.value_or(0), 0.06);
+  }
+}
+
+TEST(Reconstruct, TheFewPointsOfACubeStayWhereTheyAre) {
+  const Cloud cloud = cube_cloud(4);
+  const Reconstruction found = reconstructed(cloud);
+  expect_input_points(found, cloud);
+  EXPECT_FALSE(found.report.smoothed_positions);
+  EXPECT_FALSE(found.report.sheet_gap);
+  EXPECT_TRUE(found.mesh == reconstructed(cloud, {.smoothing = Choice::off}).mesh);
+}
+
+TEST(Reconstruct, NoSmoothingThatTearsTheSurface) {
+  // A dense sphere whose scatter calls for smoothing, and a ring of tubes too coarse for it.
+  Cloud cloud = with_noise(sphere_cloud(3000), 0.2 * std::sqrt(4 * M_PI / 3000), 3);
+  for (Point p : torus_grid(16, 10)) {
+    for (double& x : p) x *= 0.05;
+    p[0] += 3;
+    cloud.push_back(p);
+  }
+  const Reconstruction found = reconstructed(cloud);
+  const Reconstruction smooth = reconstructed(cloud, {.smoothing = Choice::on});
+  const Reconstruction plain = reconstructed(cloud, {.smoothing = Choice::off});
+  ASSERT_GT(smooth.report.open_loops, plain.report.open_loops);
+  ASSERT_LE(plain.unused.size(), smooth.unused.size() + 15);
+  EXPECT_TRUE(found.mesh == plain.mesh);
+  EXPECT_EQ(found.unused, plain.unused);
+  EXPECT_EQ(found.report.smoothing_passes, 0U);
+  EXPECT_FALSE(found.report.smoothed_positions);
+  ASSERT_FALSE(found.report.warnings.empty());
+  EXPECT_NE(found.report.warnings.front().find("not smoothed"), std::string::npos)
+      << found.report.warnings.front();
 }
 
 TEST(Reconstruct, NoisyPointsAreSmoothedWhereThatIsNeeded) {
@@ -60,6 +134,24 @@ TEST(Reconstruct, NoisyPointsAreSmoothedWhereThatIsNeeded) {
     EXPECT_EQ(found.report.smoothing_passes > 0, sigma > 0.2);
     if (!found.report.smoothed_positions) expect_input_points(found, noisy);
   }
+}
+
+TEST(Reconstruct, FewerLoopsAreNotPaidForWithHandles) {
+  int met = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Cloud cloud = with_outliers({{0, 0, 0}, {1, 1, 1}}, 300, seed);  // no surface at all
+    const auto in = [&](Choice smoothing) {
+      return reconstructed(cloud, {.outliers = Choice::off, .smoothing = smoothing});
+    };
+    const Reconstruction smooth = in(Choice::on);
+    const Reconstruction plain = in(Choice::off);
+    const auto faults = [](const ReconstructReport& r) { return r.open_loops + *r.genus; };
+    if (!smooth.report.genus || !plain.report.genus) continue;
+    if (faults(plain.report) <= faults(smooth.report)) continue;
+    if (plain.report.open_loops < smooth.report.open_loops) ++met;
+    EXPECT_TRUE(in(Choice::automatic).mesh == smooth.mesh) << seed;
+  }
+  EXPECT_GT(met, 0);
 }
 
 TEST(Reconstruct, PositionsCanBeForced) {
@@ -171,6 +263,25 @@ TEST(Reconstruct, ChannelsGoWithTheVertices) {
       ASSERT_EQ(carried.values[3 * v + k], colour.values[3 * found->source[v] + k]);
     }
   }
+}
+
+TEST(Reconstruct, ChannelsThatAreNotFiniteAreNamedAndLeftOut) {
+  Cloud cloud = sphere_cloud(500);
+  cloud.push_back({std::nan(""), 0, 0});
+  Channel normals{"normal", {"nx", "ny", "nz"}, {}};
+  Channel heat{"heat", {"heat"}, std::vector<double>(cloud.size(), 1)};
+  for (const Point& p : cloud) normals.values.insert(normals.values.end(), p.begin(), p.end());
+  for (const std::size_t i : {3U, 70U, 311U}) heat.values[i] = INFINITY;
+  const auto found = reconstruct(cloud, std::vector<Channel>{heat, normals});
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->mesh.channels.size(), 1U);  // what is dropped with its point does not count
+  EXPECT_EQ(found->mesh.channels[0].name, "normal");
+  EXPECT_EQ(found->report.warnings,
+            std::vector<std::string>{
+                "the channel 'heat' is left out: at 3 of 500 points it is not finite"});
+  const Reconstruction without = reconstructed(cloud);
+  EXPECT_EQ(found->mesh.points, without.mesh.points);
+  EXPECT_EQ(found->mesh.face_vertices, without.mesh.face_vertices);
 }
 
 TEST(Reconstruct, TheSameForAnyNumberOfThreadsAndAgain) {
