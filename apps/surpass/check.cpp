@@ -31,7 +31,9 @@ class Check : public Command {
     add_tolerance(options, tolerance_);
     add_oracle(options, oracle_);
     options.examples(
-        "Mending options apply to GIVEN; repeat those that `interpolate` was given.\n"
+        "Mending options apply to GIVEN, under nonstationary-loop to CONTROL, too; repeat those "
+        "that\n"
+        "`interpolate` was given.\n"
         "Control meshes of --method similarity and fair have the given vertices first; a comment\n"
         "in the file (refined=1) tells so. Under doo-sabin they have a face for each, which is\n"
         "found by the faces of GIVEN.\n"
@@ -52,12 +54,17 @@ class Check : public Command {
     inputs.insert(inputs.end(), {control_path_, given_path_});
     const auto paths = check_report_path(session, inputs);
     if (!paths) return paths;
-    const Result<LoadedMesh> control = load(control_path_, session);
+    Result<LoadedMesh> control = load(control_path_, session);
     if (!control) return tl::make_unexpected(control.error());
     Result<LoadedMesh> given = load(given_path_, session);
     if (!given) return tl::make_unexpected(given.error());
     const auto mended = given_mending_.apply(given->mesh, session);
     if (!mended) return mended;
+    if (rules_.nonstationary()) {
+      // There it may be the given mesh itself.
+      const auto alike = given_mending_.apply(control->mesh, session);
+      if (!alike) return alike;
+    }
     if (session.reporting()) {
       session.report["input"] = mesh_json(given_path_, given->mesh);
       session.report["control"] = mesh_json(control_path_, control->mesh);

@@ -63,6 +63,7 @@ class Interpolate : public Command {
   std::string only_path_;
   std::optional<std::vector<Index>> certified_;  ///< all vertices, if there is no list
   SurfaceOutput surface_;
+  Option max_iterations_;
   bool keep_best_ = false;
   bool oracle_ = false;
 };
@@ -82,14 +83,16 @@ void Interpolate::define(Options& options) {
       .default_text(name_of(method_))
       .group("Surface");
   add_solver_options(options, options_);
-  options
-      .add("--max-iterations", options_.max_iterations,
-           "Most evaluations of the limit, for curves and surface each; for similarity and fair "
-           "most iterations, and 0 will do")
-      .in_range(0, 1000000000)
-      .type_name("N")
-      .default_text(std::to_string(options_.max_iterations))
-      .group("Solver");
+  max_iterations_ =
+      options
+          .add(
+              "--max-iterations", options_.max_iterations,
+              "Most evaluations of the limit, for curves and surface each; for similarity and fair "
+              "most iterations, and 0 will do")
+          .in_range(0, 1000000000)
+          .type_name("N")
+          .default_text(std::to_string(options_.max_iterations))
+          .group("Solver");
   options
       .flag("--direct", options_.direct,
             "Do exactly the sweeps of the a-priori bound, without testing in between (see "
@@ -243,6 +246,7 @@ Result<void> Interpolate::check_nonstationary() const {
                       : !only_path_.empty()                  ? "--only"
                       : !options_.skip_components.empty()    ? "--skip-component"
                       : options_.solver != Solver::automatic ? "--solver"
+                      : max_iterations_.given()              ? "--max-iterations"
                                                              : nullptr;
   if (wrong != nullptr) {
     return fail(
@@ -286,20 +290,23 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
     session.report["error_stored"] = certificate_json(*stored);
     stored_error = fmt::format("; {:.3g} as stored", stored->max);
   }
-  session.console.note(
-      "there is no other control mesh than the given one; what is written is the surface");
-  session.console.say(fmt::format("{}: {} vertices, {}, shape parameter {:.6g}", input_.path(), n,
-                                  kNonstationaryLoop, made->shape()));
+  const bool written = reached || keep_best_;
+  if (written) {
+    session.console.note(
+        "there is no other control mesh than the given one; what is written is the surface");
+  }
+  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), n, kNonstationaryLoop,
+                                  nonstationary_.summary(*made)));
   session.console.say(
       fmt::format("error {:.3g} of the box side (mean {:.3g}){}; {} faces, {:.3g} s", exact->max,
                   exact->mean, stored_error, surface->face_count(), session.seconds()));
-  if (reached || keep_best_) {
-    if (const auto written = output_.write(*surface, session); !written) return written;
+  if (written) {
+    if (const auto done = output_.write(*surface, session); !done) return done;
     if (page_.wanted()) {
       page_.add("given", "Given mesh", LayerKind::mesh, given);
       page_.mark(given.points);
       const auto added = page_.add_surface("surface", "Surface", *surface, session.context);
-      if (const auto written = added ? page_.write(session) : added; !written) return written;
+      if (const auto done = added ? page_.write(session) : added; !done) return done;
     }
   }
   if (reached) return {};

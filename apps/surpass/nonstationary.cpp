@@ -1,6 +1,5 @@
 #include "nonstationary.hpp"
 
-#include <surpass/fairness.hpp>
 #include <surpass/topology.hpp>
 
 #include <cmath>
@@ -59,13 +58,14 @@ const char* name_of(ShapePreset preset) {
   return "unknown";
 }
 
-void Nonstationary::define(Options& options) {
+void Nonstationary::define(Options& options, bool measured) {
   const auto grouped = [](const Option& option) { return option.group("Non-stationary Loop"); };
   grouped(options
               .add("--shape", shape_,
                    "Shape parameter: the smaller, the rounder (-3.99 to 3.99, or to 1.99 if an "
                    "interior vertex has three neighbours; outside, the end of the range is taken). "
-                   "auto: the one whose surface has the least bending, by some twenty measurements")
+                   "auto: the one whose limit surface has the least bending without its sharpest "
+                   "hundredth, as `surpass quality` prints it")
               .type_name("B|auto")
               .default_text(fmt::format("{}", kDefaultShape)));
   grouped(options.choice("--preset", preset_,
@@ -80,12 +80,17 @@ void Nonstationary::define(Options& options) {
           .in_range(-3.99, 3.99)
           .type_name("V")
           .default_text(""));
-  grouped(options.choice(
+  const Option rule = grouped(options.choice(
       "--rule", rule_,
       {NonstationaryRule::interpolating, NonstationaryRule::quadratic, NonstationaryRule::mean},
-      "interpolating: the paper's (default); quadratic: ours, without a shape parameter, a wider "
-      "first step that reproduces quadratic functions on regular meshes; mean: edges take the mean "
-      "of their ends' parameters, for comparison, it does not interpolate"));
+      std::string("interpolating: the paper's (default); quadratic: ours, without a shape "
+                  "parameter, a wider first step that reproduces quadratic functions on regular "
+                  "meshes") +
+          (measured ? ""
+                    : "; mean: edges take the mean of their ends' parameters, for comparison, it "
+                      "does not interpolate")));
+  // The third is understood all the same, to be refused with the reason.
+  if (measured) rule.type_name("interpolating|quadratic");
   grouped(options.choice(
       "--iteration", iteration_, {ParameterIteration::geometric, ParameterIteration::exponential},
       "How parameters go on from level to level: geometric (default), or exponential, for "
@@ -144,7 +149,8 @@ Result<void> Nonstationary::check(const RulesOption& rules) const {
 }
 
 Result<NonstationaryOptions> Nonstationary::choose(const Mesh& mesh, const RulesOption& rules,
-                                                   int steps, Session& session) const {
+                                                   int steps, Session& session,
+                                                   const FairnessOptions& measure) const {
   NonstationaryOptions options;
   options.boundary = rules.choose(mesh, session).boundary;
   options.weights = rules.loop_weights().value_or(options.weights);
@@ -163,24 +169,45 @@ Result<NonstationaryOptions> Nonstationary::choose(const Mesh& mesh, const Rules
             {"iteration", name_of(options.iteration)},
             {"steps", steps}};
   if (!options.targets.empty()) report["targets"] = options.targets.size();
-  const auto found = shape(mesh, options, session);
+  const auto found = shape(mesh, options, measure, session);
   if (!found) return tl::make_unexpected(found.error());
   options.shape = *found;
   return options;
 }
 
 Result<double> Nonstationary::shape(const Mesh& mesh, const NonstationaryOptions& options,
-                                    Session& session) const {
+                                    const FairnessOptions& measure, Session& session) const {
   if (uniform_option_.given()) return uniform_;
   if (preset_) return shape_of(*preset_);
   if (shape_ != kAuto) return number_in(shape_).value_or(kDefaultShape);
-  const auto found =
-      session.timed("shape", [&] { return fairest_shape(mesh, options, session.context); });
+  return fairest(mesh, options, measure, session);
+}
+
+Result<double> Nonstationary::fairest(const Mesh& mesh, const NonstationaryOptions& options,
+                                      const FairnessOptions& measure, Session& session) const {
+  const auto found = session.timed(
+      "shape", [&] { return fairest_shape(mesh, options, measure, session.context); });
   if (!found) return tl::make_unexpected(found.error());
-  session.report["nonstationary"]["bending"] = found->bending;
-  session.console.say(fmt::format("shape parameter {:.4g}: least bending, {:.6g} after {} levels",
-                                  found->shape, found->bending, found->levels));
+  const auto [levels, rings] = found->measure;
+  session.report["nonstationary"]["fairest"] = {
+      {"trimmed_bending", found->trimmed_bending}, {"levels", levels}, {"rings", rings}};
+  if (rings < measure.rings) {
+    session.console.note(fmt::format(
+        "nothing of the surface is left to measure after {} levels without {} rings around its "
+        "extraordinary vertices, so the shape parameter is that of `surpass quality --rings {}`",
+        levels, measure.rings, rings));
+  }
+  session.console.say(
+      fmt::format("shape parameter {:.6g}: least bending without the sharpest hundredth, {:.6g} "
+                  "after {} levels",
+                  found->shape, found->trimmed_bending, levels));
   return found->shape;
+}
+
+std::string Nonstationary::summary(const NonstationaryLoop& surface) const {
+  if (uniform_option_.given()) return fmt::format("uniform parameter {:.6g}", surface.shape());
+  if (rule_ == NonstationaryRule::quadratic) return "quadratic rule";
+  return fmt::format("shape parameter {:.6g}", surface.shape());
 }
 
 Result<NonstationaryLoop> Nonstationary::create(const Mesh& mesh, const RulesOption& rules,

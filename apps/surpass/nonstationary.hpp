@@ -1,6 +1,7 @@
 // The options of --scheme nonstationary-loop.
 #pragma once
 
+#include <surpass/fairness.hpp>
 #include <surpass/nonstationary.hpp>
 
 #include <optional>
@@ -17,13 +18,19 @@ enum class ShapePreset { round, standard, flat };
 
 class Nonstationary {
  public:
-  void define(Options& options);
+  /// `measured`: for a command that needs second derivatives, which --rule mean has not.
+  void define(Options& options, bool measured = false);
 
   /// The files that are read besides the mesh.
   [[nodiscard]] std::vector<std::string> inputs() const;
 
   /// Fails if an option of these was given for another scheme, or two that contradict each other.
   [[nodiscard]] Result<void> check(const RulesOption& rules) const;
+
+  [[nodiscard]] bool has_targets() const { return !targets_path_.empty(); }
+
+  /// What makes the surface the one it is: "shape parameter -1.5".
+  [[nodiscard]] std::string summary(const NonstationaryLoop& surface) const;
 
   /// Prepares the mesh: `steps` 0 solves for the limit. Searches for the shape if it is auto. What
   /// is chosen goes into report["nonstationary"], what the user should know into notes.
@@ -34,13 +41,16 @@ class Nonstationary {
   [[nodiscard]] Result<NonstationaryLoop> refined(const Mesh& mesh, const RulesOption& rules,
                                                   int steps, int levels, Session& session) const;
 
-  /// What create() would take.
+  /// What create() would take. A shape that is to be found is the best by `measure`.
   [[nodiscard]] Result<NonstationaryOptions> choose(const Mesh& mesh, const RulesOption& rules,
-                                                    int steps, Session& session) const;
+                                                    int steps, Session& session,
+                                                    const FairnessOptions& measure = {}) const;
 
  private:
   [[nodiscard]] Result<double> shape(const Mesh& mesh, const NonstationaryOptions& options,
-                                     Session& session) const;
+                                     const FairnessOptions& measure, Session& session) const;
+  [[nodiscard]] Result<double> fairest(const Mesh& mesh, const NonstationaryOptions& options,
+                                       const FairnessOptions& measure, Session& session) const;
 
   std::string shape_;
   std::optional<ShapePreset> preset_;

@@ -34,7 +34,7 @@ class Quality : public Command {
         .type_name("MESH2")
         .group("Input");
     rules_.define(options, true);
-    nonstationary_.define(options);
+    nonstationary_.define(options, true);
     levels_option_ =
         options
             .add("--levels", options_.levels,
@@ -182,7 +182,7 @@ class Quality : public Command {
   Result<MeasuredSurface> measure_nonstationary(const std::string& path, const Mesh& mesh,
                                                 const FairnessOptions& options,
                                                 Session& session) const {
-    const auto scheme = nonstationary_.choose(mesh, rules_, 0, session);
+    const auto scheme = nonstationary_.choose(mesh, rules_, 0, session, options);
     if (!scheme) return tl::make_unexpected(scheme.error());
     const auto found =
         session.timed("measure", [&] { return fairness(mesh, *scheme, options, session.context); });

@@ -10,6 +10,7 @@
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
+#include "nonstationary.hpp"
 #include "render_picture.hpp"
 #include "rules_option.hpp"
 
@@ -24,6 +25,14 @@ Result<LoadedMesh> load_shape(const std::string& path, Format format, Session& s
   return points_only ? load_points(path, format, session) : load_mesh(path, format, session);
 }
 
+// To the mesh whose rules they are.
+void move_rules(Json& report, Json& input) {
+  for (const char* key : {"scheme", "boundary", "weights", "nonstationary"}) {
+    if (report.contains(key)) input[key] = report[key];
+    report.erase(key);
+  }
+}
+
 class Render : public Command {
  public:
   void define(Options& options) override;
@@ -35,12 +44,14 @@ class Render : public Command {
   Result<PictureContent> load(Session& session) const;
   Result<DrawnSurface> load_surface(const std::string& path, bool rules_wanted,
                                     Session& session) const;
+  Result<Mesh> limit_surface(const DrawnSurface& surface, Session& session) const;
   Result<std::vector<Point>> marks(const PictureContent& scene, Session& session) const;
 
   std::vector<std::string> paths_;
   Format from_ = Format::automatic;
   Mending mending_;
   RulesOption rules_;
+  Nonstationary nonstationary_;
   PictureWishes wishes_;
   std::vector<std::string> styles_;
   std::string output_path_;
@@ -65,11 +76,12 @@ void Render::define(Options& options) {
       .required()
       .type_name("FILE")
       .group("Output");
-  rules_.define(options);
+  rules_.define(options, true);
   levels_option_ =
       add_levels(options, levels_,
                  "Draw the limit surface after refinement steps; by default the mesh itself");
   levels_option_.default_text("").group("Surface");
+  nonstationary_.define(options);
   define_picture(options);
   options.examples(
       "matte: fronts of faces are warm, backs cool. reflection: a mirror in a hall of parallel\n"
@@ -169,6 +181,15 @@ Result<void> Render::check() const {
   if (!against_path_.empty() && std::count(styles.begin(), styles.end(), RenderStyle::error) == 0) {
     return refuse("--against is for --style error");
   }
+  if (rules_.nonstationary() && !levels_option_.given()) {
+    return refuse("--scheme nonstationary-loop draws a limit surface; name its --levels");
+  }
+  if (rules_.nonstationary() && against_path_.empty() &&
+      std::count(styles.begin(), styles.end(), RenderStyle::error) > 0) {
+    return refuse(
+        "--style error shows how far a surface is from the one of an interpolating control mesh; "
+        "under nonstationary-loop there is none, so name a mesh with --against");
+  }
   if (!wishes_.range.empty() && scaled != 1) {
     return refuse("--range is for one of the styles curvature, gaussian and error");
   }
@@ -177,7 +198,9 @@ Result<void> Render::check() const {
 
 Result<void> Render::run(Session& session) {
   if (const auto checked = check(); !checked) return checked;
+  if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
   std::vector<std::string> inputs = paths_;
+  for (const std::string& path : nonstationary_.inputs()) inputs.push_back(path);
   inputs.insert(inputs.end(), beside_paths_.begin(), beside_paths_.end());
   for (const std::string& path : {points_path_, against_path_}) {
     if (!path.empty()) inputs.push_back(path);
@@ -233,24 +256,31 @@ Result<DrawnSurface> Render::load_surface(const std::string& path, bool rules_wa
   surface.drawn = surface.given;
   if (levels_option_.given() || rules_wanted) {
     surface.rules = rules_.choose(surface.given, session);
-    for (const char* key : {"scheme", "boundary", "weights"}) {
-      if (session.report.contains(key)) input[key] = session.report[key];
-      session.report.erase(key);
-    }
+    move_rules(session.report, input);
   }
   if (levels_option_.given()) {
     surface.levels = levels_;
     if (auto checked = check_levels(surface.given, levels_); !checked) {
       return tl::make_unexpected(checked.error());
     }
-    auto limit = session.timed("refine", [&] {
-      return limit_mesh(surface.given, *surface.rules, levels_, session.context);
-    });
+    auto limit = limit_surface(surface, session);
+    move_rules(session.report, input);
     if (!limit) return tl::make_unexpected(limit.error());
     surface.drawn = std::move(*limit);
   }
   if (session.reporting()) session.report["inputs"].push_back(std::move(input));
   return surface;
+}
+
+Result<Mesh> Render::limit_surface(const DrawnSurface& surface, Session& session) const {
+  if (!rules_.nonstationary()) {
+    return session.timed("refine", [&] {
+      return limit_mesh(surface.given, *surface.rules, levels_, session.context);
+    });
+  }
+  const auto made = nonstationary_.refined(surface.given, rules_, 0, levels_, session);
+  if (!made) return tl::make_unexpected(made.error());
+  return session.timed("refine", [&] { return made->limit_mesh(session.context); });
 }
 
 Result<std::vector<Point>> Render::marks(const PictureContent& scene, Session& session) const {

@@ -39,6 +39,11 @@ class Subdivide : public Command {
 
   Result<void> run(Session& session) override {
     if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
+    if (nonstationary_.has_targets() && levels_ == 0 && !limit_) {
+      return fail(ErrorCode::invalid_argument,
+                  "--levels 0 without --limit writes MESH as it is, which passes through no "
+                  "--targets; take one level or more, or --limit");
+    }
     std::vector<std::string> inputs = nonstationary_.inputs();
     inputs.push_back(input_.path());
     const auto prepared = output_.prepare(session, inputs);

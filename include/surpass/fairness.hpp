@@ -102,22 +102,32 @@ struct NormalDeviation {
                                         const FairnessOptions& options = {},
                                         const Context& context = {});
 
-/// The same of a non-stationary Loop surface.
+/// The same of a non-stationary Loop surface. NonstationaryRule::mean, of whose surfaces second
+/// derivatives are not known: an error (invalid_argument).
 [[nodiscard]] Result<Fairness> fairness(const Mesh& control, const NonstationaryOptions& scheme,
                                         const FairnessOptions& options = {},
                                         const Context& context = {});
 
-/// The shape parameter with the least bending (the integral of k1^2 + k2^2), for the other options
-/// as they are: the best of nine in the allowed range, then golden sections around it, 21
-/// measurements in all, so that it is found to about 0.01; the energy may have other minima. Rules
-/// without a shape parameter: an error (invalid_argument). Else errors as `fairness`.
+/// The shape parameter, for the other options as they are, of the limit surface with the least
+/// trimmed_bending: the integral of k1^2 + k2^2 apart from the sharpest hundredth of the area (all
+/// of it has narrow spikes, as single spots nearly fold). Parameters are those of the limit,
+/// whatever scheme.steps says.
 struct FairestShape {
   double shape = 0;
-  double bending = 0;
-  int levels = 0;  ///< refinements after which it was measured: 3, or fewer for large meshes
+  double trimmed_bending = 0;  ///< as `fairness` finds it with these:
+  FairnessOptions measure;     ///< levels as taken; fewer rings than asked if nothing were left
 };
+
+/// 25 shapes over the allowed range are measured after few levels; scheme.shape and the lowest
+/// places of the 25 after options.levels; from the best of these it goes downhill, and narrows the
+/// place in by golden sections, to about 0.06: some 40 measurements, a dozen of which cost what
+/// `fairness` does. Minima narrower than the grid, 0.33, may be missed. Where no shape is better by
+/// more than rounding, as on flat meshes, it is that of `scheme`. If options.rings leave nothing to
+/// measure, fewer are left out. The same bits for any number of threads. Rules without a shape
+/// parameter: an error (invalid_argument). Else errors as `fairness`.
 [[nodiscard]] Result<FairestShape> fairest_shape(const Mesh& control,
                                                  const NonstationaryOptions& scheme,
+                                                 const FairnessOptions& options = {},
                                                  const Context& context = {});
 
 /// Compares with the limit surface of `reference`, whose faces must be those of `control`, or

@@ -114,6 +114,11 @@ Result<Fairness> fairness(const Mesh& control, const Rules& rules, const Fairnes
 
 Result<Fairness> fairness(const Mesh& control, const NonstationaryOptions& scheme,
                           const FairnessOptions& options, const Context& context) {
+  if (scheme.rule == NonstationaryRule::mean) {
+    return fail(ErrorCode::invalid_argument,
+                "under the rule mean every vertex has parameters of its own around it, and there "
+                "is no closed form of second derivatives to measure with; take another rule");
+  }
   const int levels = options.levels == 0 ? fairness_levels(control) : options.levels;
   const auto surface = sample_surface(
       control, levels, options.rings, context,

@@ -24,7 +24,7 @@ Vector polygon_normal(std::span<const Vector> polygon) {
     cosine += std::cos(step * static_cast<double>(j)) * from_first;
     sine += std::sin(step * static_cast<double>(j)) * from_first;
   }
-  return unit(cosine.cross(sine));
+  return unit_cross(cosine, sine);
 }
 
 class NormalMaker {
@@ -71,7 +71,7 @@ class NormalMaker {
     const Vector along = tail(next) - tail(h);
     const Vector middle = (tail(next) + tail(h)) / 2;
     const Vector inside = (corner_point(h) + corner_point(next)) / 2 - middle;
-    return unit(along.cross(inside));
+    return unit_cross(along, inside);
   }
   [[nodiscard]] Vector at_curve(Index h) const {
     const Index other = topology_.opposite(h);

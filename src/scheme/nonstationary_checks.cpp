@@ -128,8 +128,8 @@ Result<void> check_options(const NonstationaryOptions& options, Index vertices) 
   }
   if (options.iteration == ParameterIteration::exponential && options.shape <= -1) {
     return refuse(fmt::format(
-        "the shape parameter is {}; under the exponential iteration it must be above -1",
-        options.shape));
+        "the {} parameter is {}; under the exponential iteration it must be above -1",
+        options.rule == NonstationaryRule::uniform ? "uniform" : "shape", options.shape));
   }
   return {};
 }

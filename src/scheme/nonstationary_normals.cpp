@@ -80,7 +80,7 @@ class LimitNormals {
       near_curve = near_curve || (w < state_.given() && !sharpness_.is_plain(w));
     });
     if (near_curve && state_.level > 0) bend(v, center, first, second);
-    return unit(first.cross(second));
+    return unit_cross(first, second);
   }
 
   /// The same of the next ring, where some points are elsewhere.
@@ -116,7 +116,7 @@ class LimitNormals {
       first += tangents.first[j] * spoke;
       second += tangents.second[j++] * spoke;
     });
-    return unit(first.cross(second));
+    return unit_cross(first, second);
   }
 
   [[nodiscard]] Vector on_curve(Index v) const {

@@ -1,5 +1,7 @@
 #include "scheme/tangents.hpp"
 
+#include <cmath>
+
 #include <Eigen/Dense>
 
 namespace surpass {
@@ -17,9 +19,23 @@ Vector evaluate(const Mask& mask, const std::vector<Vector>& points) {
   return sum;
 }
 
+/// Times a power of 2 that brings it near 1, if products of it could leave the range of doubles.
+Vector tamed(const Vector& v) {
+  constexpr double kSafe = 0x1p300;
+  const double largest = v.cwiseAbs().maxCoeff();
+  if (largest < kSafe && largest > 1 / kSafe) return v;
+  if (!v.allFinite() || largest == 0) return Vector::Zero();
+  const int exponent = std::ilogb(largest);
+  return v.unaryExpr([&](double x) { return std::scalbn(x, -exponent); });
+}
+
 Point to_point(const Vector& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
+
+Eigen::Vector3d unit_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return unit(tamed(a).cross(tamed(b)));
+}
 
 Point normal_of(const Mesh& mesh, const NormalMasks& masks) {
   std::vector<Vector> points;
@@ -33,7 +49,7 @@ Point normal_of(const Mesh& mesh, const NormalMasks& masks) {
   }
   Vector sum = Vector::Zero();
   for (const Tangents& sector : masks.sectors) {
-    sum += unit(evaluate(sector.first, points).cross(evaluate(sector.second, points)));
+    sum += unit_cross(evaluate(sector.first, points), evaluate(sector.second, points));
   }
   return to_point(unit(sum));
 }
@@ -43,7 +59,7 @@ Point mean_face_normal(const Mesh& mesh, const Topology& topology, Index v) {
   topology.for_each_outgoing(v, [&](Index h) {
     const Vector a = position(mesh, topology.head(h)) - position(mesh, v);
     const Vector b = position(mesh, topology.tail(topology.previous(h))) - position(mesh, v);
-    sum += unit(a.cross(b));
+    sum += unit_cross(a, b);
   });
   return to_point(unit(sum));
 }

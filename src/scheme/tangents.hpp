@@ -4,6 +4,7 @@
 #include <surpass/mesh.hpp>
 #include <surpass/topology.hpp>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,11 +16,16 @@
 
 namespace surpass {
 
-/// v / |v|, or zero.
+/// v / |v|, or zero; zero, too, if |v| is not a finite number.
 [[nodiscard]] inline Eigen::Vector3d unit(const Eigen::Vector3d& v) {
   const double length = v.stableNorm();
-  return length > 0 ? Eigen::Vector3d(v / length) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const bool has_direction = length > 0 && length <= std::numeric_limits<double>::max();
+  return has_direction ? Eigen::Vector3d(v / length) : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
+
+/// The unit vector along a x b, or zero where they have the same direction: for every finite a and
+/// b, also those whose products are beyond the range of doubles. Zero if one of them is not finite.
+[[nodiscard]] Eigen::Vector3d unit_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 /// A limit normal's ingredients in one smooth sector at a vertex: left eigenvectors of the local
 /// subdivision matrix. Crossed in this order they point to the outside.

@@ -104,22 +104,99 @@ TEST_F(NonstationaryCommand, BadTargetsAreRefusedWithTheirPlace) {
   says("# none\n", 2, "names no target");
   says("0 0.4\n", 1, "must be below 0.3125");
   says("0 0.1 0 0.2\n", 1, "two targets");
+  run({"subdivide", path_, "-o", folder_ / "x.ply", "--levels", "0", "--targets",
+       folder_.file("good.txt", "0 0.1\n")},
+      1);
+  EXPECT_NE(said_.find("passes through no --targets"), std::string::npos) << said_;
 }
 
-TEST_F(NonstationaryCommand, AutoFindsTheLeastBending) {
-  const std::string mesh = data("octahedron.obj");
-  const json report = run(
-      {"subdivide", mesh, "-o", folder_ / "a.ply", "--levels", "3", "--limit", "--shape", "auto"});
-  const double shape = report["nonstationary"]["shape"];
-  const double best = report["nonstationary"]["bending"];
-  const auto bending = [&](double at) {
-    return run({"quality", mesh, "--levels", "3", "--rings", "1", "--shape",
-                std::to_string(at)})["surfaces"][0]["bending"]
+// Whatever is written: the number is the one that quality prints for the same surface.
+TEST_F(NonstationaryCommand, AutoFindsTheLeastBendingOfTheLimit) {
+  const std::string out = folder_ / "a.ply";
+  const json stepped =
+      run({"subdivide", path_, "-o", out, "--levels", "2", "--shape", "auto"})["nonstationary"];
+  const double shape = stepped["shape"];
+  const json& fairest = stepped["fairest"];
+  const json found = run({"quality", path_, "--shape=" + json(shape).dump()})["surfaces"][0];
+  EXPECT_EQ(found["trimmed_bending"], fairest["trimmed_bending"]);
+  EXPECT_EQ(found["levels"], fairest["levels"]);
+  EXPECT_EQ(fairest["rings"], 2);
+  const auto again = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"subdivide", path_, "-o", out, "--shape", "auto"});
+    return run(words)["nonstationary"];
+  };
+  EXPECT_EQ(again({"--levels", "1", "--limit"})["shape"], shape);
+}
+
+TEST_F(NonstationaryCommand, AutoIsMeasuredAsQualityIsAsked) {
+  const json report = run({"quality", path_, "--levels", "3", "--rings", "1", "--shape", "auto"});
+  const double best = report["surfaces"][0]["trimmed_bending"];
+  const json& chosen = report["nonstationary"];
+  EXPECT_EQ(chosen["fairest"]["trimmed_bending"], best);
+  EXPECT_EQ(chosen["fairest"]["levels"], 3);
+  EXPECT_EQ(chosen["fairest"]["rings"], 1);
+  const auto energy = [&](double at) {
+    return run({"quality", path_, "--levels", "3", "--rings", "1",
+                "--shape=" + std::to_string(at)})["surfaces"][0]["trimmed_bending"]
         .get<double>();
   };
-  EXPECT_NEAR(bending(shape), best, 1e-5 * best);
-  EXPECT_GT(bending(shape - 0.1), best);
-  EXPECT_GT(bending(shape + 0.1), best);
+  EXPECT_GT(energy(0), best);
+  EXPECT_GT(energy(-3.9), best);
+}
+
+TEST_F(NonstationaryCommand, QualityRefusesTheRuleMeanWithTheReason) {
+  run({"quality", path_, "--rule", "mean"}, 1);
+  EXPECT_NE(said_.find("no closed form of second derivatives"), std::string::npos) << said_;
+  const std::string help = surpass({"quality", "--help"}).out;
+  EXPECT_NE(help.find("interpolating|quadratic"), std::string::npos);
+  EXPECT_EQ(help.find("mean: edges"), std::string::npos);
+  EXPECT_NE(surpass({"subdivide", "--help"}).out.find("mean: edges"), std::string::npos);
+}
+
+TEST_F(NonstationaryCommand, CheckMendsBothMeshesAlike) {
+  const std::string cube = data("cube.obj");
+  run({"check", cube, "--against", cube}, 3);
+  EXPECT_LE(run({"check", cube, "--against", cube, "--triangulate"})["error"]["max"], 1e-14);
+  const std::string twice = folder_.file("twice.off",
+                                         "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 1\n"
+                                         "3 0 2 1\n3 0 1 3\n3 0 4 2\n3 1 2 3\n");
+  const json report = run({"check", twice, "--against", twice, "--weld", "1e-9"});
+  EXPECT_EQ(report["control"]["vertices"], 4);
+  EXPECT_LE(report["error"]["max"], 1e-14);
+}
+
+TEST_F(NonstationaryCommand, NothingIsSaidThatIsNotSo) {
+  const std::string out = folder_ / "out.ply";
+  run({"interpolate", path_, "-o", out, "--uniform", "1"}, 4);
+  EXPECT_EQ(said_.find("what is written"), std::string::npos) << said_;
+  EXPECT_EQ(said_.find("shape parameter"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("uniform parameter 1"), std::string::npos) << said_;
+  run({"subdivide", path_, "-o", out, "--levels", "1", "--uniform", "-2", "--iteration",
+       "exponential"},
+      1);
+  EXPECT_NE(said_.find("the uniform parameter is -2"), std::string::npos) << said_;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(NonstationaryCommand, RenderDrawsItsLimitSurface) {
+  const std::string surface = folder_ / "surface.ply";
+  const std::string own = folder_ / "own.png";
+  const std::string drawn = folder_ / "drawn.png";
+  if (surpass({"render", path_, "-o", own}).status != 0) {
+    GTEST_SKIP() << "this build makes no pictures";
+  }
+  run({"subdivide", path_, "-o", surface, "--levels", "2", "--limit", "--shape", "-3"});
+  const json report = run({"render", path_, "-o", own, "--levels", "2", "--shape", "-3"});
+  EXPECT_EQ(report["inputs"][0]["scheme"], "nonstationary-loop");
+  EXPECT_EQ(report["inputs"][0]["nonstationary"]["shape"], -3);
+  EXPECT_EQ(surpass({"render", surface, "-o", drawn}).status, 0);
+  EXPECT_EQ(slurp(own), slurp(drawn));
+  EXPECT_EQ(surpass({"render", path_, "-o", drawn, "--levels", "2"}).status, 0);
+  EXPECT_NE(slurp(own), slurp(drawn));
+  run({"render", path_, "-o", own}, 1);
+  EXPECT_NE(said_.find("name its --levels"), std::string::npos);
+  run({"render", path_, "-o", own, "--levels", "2", "--style", "error"}, 1);
+  EXPECT_NE(said_.find("name a mesh with --against"), std::string::npos);
 }
 
 TEST_F(NonstationaryCommand, PresetsAndWeightsAreTaken) {
@@ -156,6 +233,7 @@ TEST_F(NonstationaryCommand, ContradictionsAreRefused) {
   refused({"--weights", "cosine"}, "warren and classic");
   refused({"--method", "fair"}, "interpolates by itself");
   refused({"--surface", folder_ / "s.ply"}, "-o is that surface");
+  refused({"--max-iterations", "5"}, "--max-iterations is for schemes");
   refused({"--boundary", "hoppe"}, "edge-only and edge-and-corner");
   EXPECT_FALSE(std::filesystem::exists(out));
   for (const char* option :

@@ -1,4 +1,9 @@
 // As many steps as a computer's memory takes: the vertices are there after each number of them.
+#include <surpass/fairness.hpp>
+#include <surpass/io.hpp>
+
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "nonstationary_samples.hpp"
@@ -22,6 +27,24 @@ TEST_P(AfterManySteps, TheGivenVerticesAreThere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Nonstationary, AfterManySteps, testing::Range(7, 11));
+
+// Meshes whose bending has narrow spikes over the shapes.
+TEST(FairestShapeSlow, IsThatOfABruteForceScan) {
+  if (test::data_folder().empty()) GTEST_SKIP() << "needs a folder of real meshes";
+  for (const char* name : {"/tri/paper_turtle_445.off", "/tri/paper_bird_1129.off"}) {
+    const Mesh mesh = read_mesh(test::data_folder() + name).value().mesh;
+    const auto found = fairest_shape(mesh, {}, {.levels = 4}).value();
+    const auto energy = [&](double shape) {
+      return fairness(mesh, NonstationaryOptions{.shape = shape}, {.levels = 4})
+          .value()
+          .trimmed_bending;
+    };
+    EXPECT_EQ(energy(found.shape), found.trimmed_bending);
+    double least = found.trimmed_bending;
+    for (int i = 0; i <= 80; ++i) least = std::min(least, energy(-3.99 + 7.98 / 80 * i));
+    EXPECT_LE(found.trimmed_bending, 1.01 * least) << name;
+  }
+}
 
 }  // namespace
 }  // namespace surpass

@@ -165,5 +165,44 @@ TEST(NonstationaryMesh, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_TRUE(found[0] == found[1]);
 }
 
+Mesh scaled(Mesh mesh, double factor) {
+  for (Point& p : mesh.points) {
+    for (double& x : p) x *= factor;
+  }
+  return mesh;
+}
+
+// Where products of lengths leave the range of doubles.
+TEST(LimitNormals, AreThoseOfTheMeshInAnySize) {
+  for (const Mesh& mesh : {test::icosahedron(), irregular_sphere(4), test::wavy_fan(6, true)}) {
+    const std::vector<Point> expected = made(mesh, {}, 1).limit_normals().value();
+    const std::vector<Point> plain = limit_normals(mesh, {}).value();
+    const std::vector<Point> dual = limit_normals(mesh, {Scheme::doo_sabin}).value();
+    for (const double factor : {0x1p532, 0x1p1000, 0x1p-532, 0x1p-900}) {
+      const Mesh other = scaled(mesh, factor);
+      EXPECT_LE(largest_error(made(other, {}, 1).limit_normals().value(), expected), 1e-14);
+      EXPECT_LE(largest_error(limit_normals(other, {}).value(), plain), 1e-14);
+      EXPECT_LE(largest_error(limit_normals(other, {Scheme::doo_sabin}).value(), dual), 1e-14);
+    }
+  }
+  const auto mean = [](double factor) {
+    return made(scaled(test::icosahedron(), factor), {.rule = NonstationaryRule::mean}, 1)
+        .limit_normals()
+        .value();
+  };
+  EXPECT_LE(largest_error(mean(0x1p532), mean(1)), 1e-14);
+}
+
+// Differences of such points are no numbers any more; normals still are, or zero.
+TEST(LimitNormals, AreNumbersAtTheEndOfTheRange) {
+  const Mesh mesh = scaled(test::icosahedron(), 1e308);
+  for (const auto& normals :
+       {made(mesh, {}).limit_normals().value(), limit_normals(mesh, {}).value()}) {
+    for (const Point& n : normals) {
+      for (const double x : n) EXPECT_LE(std::abs(x), 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace surpass
