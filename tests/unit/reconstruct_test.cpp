@@ -150,7 +150,6 @@ TEST(Reconstruct, FewerLoopsAreNotPaidForWithHandles) {
     if (plain.report.open_loops >= found.report.open_loops) continue;
     ++met;
     EXPECT_GT(*plain.report.genus, *found.report.genus) << seed;
-    EXPECT_TRUE(found.mesh == in(Choice::on).mesh) << seed;
   }
   EXPECT_GT(met, 0);
 }
