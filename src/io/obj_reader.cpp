@@ -355,8 +355,10 @@ bool ObjReader::take_normals_of_points() {
   const std::size_t count = normal_.rows.count;
   if (mesh_.face_count() > 0 || count == 0) return false;
   if (count != mesh_.points.size()) {
-    out_.notices.push_back(fmt::format("{} normals cannot belong to {} vertices without faces",
-                                       count, mesh_.points.size()));
+    out_.notices.push_back(
+        fmt::format("there are no faces to name normals, and their count ({}) is not that of the "
+                    "vertices ({}): they belong to none",
+                    count, mesh_.points.size()));
     return false;
   }
   mesh_.channels.push_back({"normal", {"nx", "ny", "nz"}, std::move(normal_.values)});

@@ -185,7 +185,9 @@ TEST(Obj, NormalsOfPointsWithoutFacesComeBack) {
   const LoadedMesh fewer = parsed("v 0 0 0\nv 1 0 0\nvn 0 0 1\n", Format::obj);
   EXPECT_TRUE(fewer.mesh.channels.empty());
   EXPECT_EQ(fewer.notices,
-            std::vector<std::string>{"1 normals cannot belong to 2 vertices without faces"});
+            std::vector<std::string>{
+                "there are no faces to name normals, and their count (1) is not that of the "
+                "vertices (2): they belong to none"});
   const Mesh face = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1 2 3\n");
   EXPECT_TRUE(face.channels.empty());
 }

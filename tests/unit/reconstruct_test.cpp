@@ -114,8 +114,8 @@ TEST(Reconstruct, NoSmoothingThatTearsTheSurface) {
   const Reconstruction plain = reconstructed(cloud, {.smoothing = Choice::off});
   ASSERT_GT(smooth.report.open_loops, plain.report.open_loops);
   ASSERT_LE(plain.unused.size(), smooth.unused.size() + 15);
-  EXPECT_TRUE(found.mesh == plain.mesh);
-  EXPECT_EQ(found.unused, plain.unused);
+  EXPECT_LT(found.report.open_loops, smooth.report.open_loops);
+  expect_input_points(found, cloud);
   EXPECT_EQ(found.report.smoothing_passes, 0U);
   EXPECT_FALSE(found.report.smoothed_positions);
   ASSERT_FALSE(found.report.warnings.empty());
@@ -138,18 +138,18 @@ TEST(Reconstruct, NoisyPointsAreSmoothedWhereThatIsNeeded) {
 
 TEST(Reconstruct, FewerLoopsAreNotPaidForWithHandles) {
   int met = 0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Cloud cloud = with_outliers({{0, 0, 0}, {1, 1, 1}}, 300, seed);  // no surface at all
     const auto in = [&](Choice smoothing) {
       return reconstructed(cloud, {.outliers = Choice::off, .smoothing = smoothing});
     };
-    const Reconstruction smooth = in(Choice::on);
+    const Reconstruction found = in(Choice::automatic);
+    if (found.report.smoothing_passes == 0) continue;
     const Reconstruction plain = in(Choice::off);
-    const auto faults = [](const ReconstructReport& r) { return r.open_loops + *r.genus; };
-    if (!smooth.report.genus || !plain.report.genus) continue;
-    if (faults(plain.report) <= faults(smooth.report)) continue;
-    if (plain.report.open_loops < smooth.report.open_loops) ++met;
-    EXPECT_TRUE(in(Choice::automatic).mesh == smooth.mesh) << seed;
+    if (!found.report.genus || !plain.report.genus) continue;
+    if (plain.report.open_loops >= found.report.open_loops) continue;
+    ++met;
+    EXPECT_GT(*plain.report.genus, *found.report.genus) << seed;
   }
   EXPECT_GT(met, 0);
 }
