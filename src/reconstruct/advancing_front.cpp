@@ -4,6 +4,8 @@
 #include <cmath>
 #include <exception>
 #include <iterator>
+#include <list>
+#include <memory>
 #include <numeric>
 #include <tuple>
 
@@ -16,15 +18,58 @@
 #include <CGAL/spatial_sort.h>
 #include <fmt/format.h>
 
+#include "reconstruct/nodes_in_order.hpp"
+
 namespace surpass::reconstruction {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Kernel>;
-using CellBase = CGAL::Advancing_front_surface_reconstruction_cell_base_3<Kernel>;
+
+// CGAL compares vertices and cells by these stamps, which tell who was made first; without them by
+// address, which is chance. That the type is ours makes others ours, too, that depend on it: one of
+// them has its allocator replaced below.
+template <class Base>
+class Stamped : public Base {
+ public:
+  using Base::Base;
+  using Has_timestamp = CGAL::Tag_true;
+  template <class Structure>
+  struct Rebind_TDS {
+    using Other = Stamped<typename Base::template Rebind_TDS<Structure>::Other>;
+  };
+  [[nodiscard]] std::size_t time_stamp() const { return stamp_; }
+  void set_time_stamp(std::size_t stamp) { stamp_ = stamp; }
+
+ private:
+  std::size_t stamp_ = static_cast<std::size_t>(-1);
+};
+
+using VertexBase = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<
+    Kernel, Stamped<CGAL::Triangulation_vertex_base_3<Kernel>>>;
+using CellBase = CGAL::Advancing_front_surface_reconstruction_cell_base_3<
+    Kernel, Stamped<CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>;
 using Delaunay =
     CGAL::Delaunay_triangulation_3<Kernel,
                                    CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using BorderEdge = Delaunay::Vertex::Next_border_elt;
+
+}  // namespace
+}  // namespace surpass::reconstruction
+
+// CGAL has its border edges in a std::list, and asks nobody for an allocator of its nodes.
+// Elsewhere than in GNU's library their order stays a matter of chance.
+#ifdef __GLIBCXX__
+template <>
+struct std::allocator<std::_List_node<surpass::reconstruction::BorderEdge>>
+    : surpass::reconstruction::InOrder<std::_List_node<surpass::reconstruction::BorderEdge>> {
+  allocator() = default;
+  template <class U>
+  explicit allocator(const std::allocator<U>& /*all are alike*/) {}
+};
+#endif
+
+namespace surpass::reconstruction {
+namespace {
 
 // Leaves CGAL's loops, which know no cancellation.
 struct Cancelled : std::exception {};
@@ -119,6 +164,8 @@ std::vector<Triangle> run_front(std::span<const Point> points, double perimeter,
   Delaunay triangulation = triangulate(points, context);
   if (triangulation.dimension() < 2) return {};
   std::size_t asked = 0;
+  // Two border edges a vertex, each in a node with two pointers more.
+  NodesInOrder nodes(2 * points.size() * (sizeof(BorderEdge) + 4 * sizeof(void*)));
   using Front = CGAL::Advancing_front_surface_reconstruction<Delaunay, Priority>;
   Front front(triangulation, Priority(perimeter, points.size(), context, asked));
   front.run();
