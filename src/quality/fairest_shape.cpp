@@ -76,6 +76,7 @@ class ShapeSearch {
   /// The lowest of the grid's local minima.
   std::vector<double> low_places(double low, double step) {
     std::vector<double> energy;
+    energy.reserve(kGrid);
     for (int i = 0; i < kGrid; ++i) energy.push_back(at(low + i * step, grid_));
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < energy.size(); ++i) {
@@ -87,6 +88,7 @@ class ShapeSearch {
                      [&](std::size_t a, std::size_t b) { return energy[a] < energy[b]; });
     places.resize(std::min(places.size(), kMostPlaces));
     std::vector<double> shapes;
+    shapes.reserve(places.size());
     for (const std::size_t i : places) shapes.push_back(low + static_cast<double>(i) * step);
     return shapes;
   }
@@ -141,7 +143,7 @@ class ShapeSearch {
 
   Result<void> measured(double shape, const FairnessOptions& measure) {
     const std::pair key(shape, measure.levels);
-    if (known_.count(key) > 0) return {};
+    if (known_.contains(key)) return {};
     scheme_.shape = shape;
     const auto found = fairness(control_, scheme_, measure, context_);
     if (!found) return tl::make_unexpected(found.error());
