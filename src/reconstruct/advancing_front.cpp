@@ -32,9 +32,9 @@ template <class Base>
 class Stamped : public Base {
  public:
   using Base::Base;
-  using Has_timestamp = CGAL::Tag_true;
+  using Has_timestamp = CGAL::Tag_true;  // NOLINT(readability-identifier-naming): CGAL's names
   template <class Structure>
-  struct Rebind_TDS {
+  struct Rebind_TDS {  // NOLINT(readability-identifier-naming)
     using Other = Stamped<typename Base::template Rebind_TDS<Structure>::Other>;
   };
   [[nodiscard]] std::size_t time_stamp() const { return stamp_; }
