@@ -8,10 +8,21 @@ namespace surpass {
 
 namespace {
 
-using Four [[gnu::vector_size(32)]] = double;
-using Two [[gnu::vector_size(16)]] = double;
-using FourSingle [[gnu::vector_size(16)]] = float;
-using TwoSingle [[gnu::vector_size(8)]] = float;
+// Two and four of a kind of numbers.
+template <class Number>
+struct Vectors;
+template <>
+struct Vectors<double> {
+  using Two [[gnu::vector_size(16)]] = double;
+  using Four [[gnu::vector_size(32)]] = double;
+};
+template <>
+struct Vectors<float> {
+  using Two [[gnu::vector_size(8)]] = float;
+  using Four [[gnu::vector_size(16)]] = float;
+};
+using Four = Vectors<double>::Four;
+using FourSingle = Vectors<float>::Four;
 
 // At any address that a number may have, and allowed to look at numbers.
 template <class Vector>
@@ -19,29 +30,20 @@ struct [[gnu::packed, gnu::may_alias]] Unaligned {
   Vector value;
 };
 
-const Unaligned<Four>& four_at(const double* place) {
-  return *reinterpret_cast<const Unaligned<Four>*>(place);
-}
-const Unaligned<FourSingle>& four_at(const float* place) {
-  return *reinterpret_cast<const Unaligned<FourSingle>*>(place);
+template <class Number>
+const Unaligned<typename Vectors<Number>::Four>& four_at(const Number* place) {
+  return *reinterpret_cast<const Unaligned<typename Vectors<Number>::Four>*>(place);
 }
 
 // Where a place has three numbers, the fourth belongs to the next one.
-template <bool kWide>
-[[gnu::always_inline]] inline void store(double* place, const Four& value) {
+template <bool kWide, class Number>
+[[gnu::always_inline]] inline void store(Number* place,
+                                         const typename Vectors<Number>::Four& value) {
+  using Two = typename Vectors<Number>::Two;
   if (kWide) {
-    reinterpret_cast<Unaligned<Four>*>(place)->value = value;
+    reinterpret_cast<Unaligned<typename Vectors<Number>::Four>*>(place)->value = value;
   } else {
     reinterpret_cast<Unaligned<Two>*>(place)->value = Two{value[0], value[1]};
-    place[2] = value[2];
-  }
-}
-template <bool kWide>
-[[gnu::always_inline]] inline void store(float* place, const FourSingle& value) {
-  if (kWide) {
-    reinterpret_cast<Unaligned<FourSingle>*>(place)->value = value;
-  } else {
-    reinterpret_cast<Unaligned<TwoSingle>*>(place)->value = TwoSingle{value[0], value[1]};
     place[2] = value[2];
   }
 }
