@@ -104,42 +104,49 @@ void Elimination::find_dependents_of_free() {
 
 namespace {
 
+// to = own, and what is missing of it.
 void meet_coupled(const CoupledRow& row, std::size_t width, std::span<const double> targets,
-                  std::span<const double> x, double* to) {
+                  const double* own, std::span<const double> x, double* to) {
   std::fill_n(to, width, 0.0);
   for (const auto& [i, share] : row.shares) {
     for (std::size_t c = 0; c < width && !targets.empty(); ++c) {
-      to[c] += share * targets[i * width + c];
+      to[c] += share * (targets[i * width + c] - own[c]);
     }
   }
   for (const auto& [j, w] : row.others) {
-    for (std::size_t c = 0; c < width; ++c) to[c] -= w * x[j * width + c];
+    for (std::size_t c = 0; c < width; ++c) to[c] -= w * (x[j * width + c] - own[c]);
   }
+  for (std::size_t c = 0; c < width; ++c) to[c] += own[c];
 }
 
 }  // namespace
+
+// A row's weights sum to one. So all can be said of differences to the row's own target, which far
+// from the origin are exact where the numbers themselves would be rounded.
 
 void Elimination::meet(const Context& context, std::size_t width, std::span<const double> targets,
                        std::span<double> x) const {
   parallel::for_ranges(context, given_count(), [&](std::size_t begin, std::size_t end) {
     std::vector<double> rest(width);
+    const std::vector<double> zero(width, 0.0);
     for (std::size_t i = begin; i < end; ++i) {
       if (dependent_[i] == kNone) continue;
       const auto row = static_cast<Index>(i);
+      const double* own = targets.empty() ? zero.data() : &targets[i * width];
+      double* to = &x[dependent_[i] * width];
       if (const CoupledRow* terms = coupled(row)) {
-        meet_coupled(*terms, width, targets, x, &x[dependent_[i] * width]);
+        meet_coupled(*terms, width, targets, own, x, to);
         continue;
       }
-      for (std::size_t c = 0; c < width; ++c) {
-        rest[c] = targets.empty() ? 0 : targets[i * width + c];
-      }
+      std::fill(rest.begin(), rest.end(), 0.0);
       const auto columns = limits_.row_columns(row);
       const auto weights = limits_.row_weights(row);
       for (std::size_t k = 0; k < columns.size(); ++k) {
         if (columns[k] == dependent_[i]) continue;
-        for (std::size_t c = 0; c < width; ++c) rest[c] -= weights[k] * x[columns[k] * width + c];
+        const double* other = &x[columns[k] * width];
+        for (std::size_t c = 0; c < width; ++c) rest[c] -= weights[k] * (other[c] - own[c]);
       }
-      for (std::size_t c = 0; c < width; ++c) x[dependent_[i] * width + c] = rest[c] / pivot_[i];
+      for (std::size_t c = 0; c < width; ++c) to[c] = own[c] + rest[c] / pivot_[i];
     }
   });
 }

@@ -186,15 +186,20 @@ Result<void> check_channel(const Channel& channel, std::size_t vertices) {
   return require_numbers(channel.values, channel.width(), "a channel's value");
 }
 
-Iteration error_of(const SimilarityPrepared& prepared, std::span<const double> control,
+std::vector<Point> points_of(std::span<const double> values) {
+  std::vector<Point> points(values.size() / 3);
+  std::copy(values.begin(), values.end(), flat(std::span(points)).begin());
+  return points;
+}
+
+Iteration error_of(const SimilarityPrepared& prepared, std::span<const Point> control,
                    std::span<const Point> points, double side, const Context& context) {
-  std::vector<double> limit(3 * points.size());
-  prepared.elimination.limits().apply(context, 3, control, limit);
+  const auto limit = limit_points(prepared.elimination.limits(), control, context);
   Iteration error;
   for (std::size_t v = 0; v < points.size(); ++v) {
     const double distance =
-        std::hypot((limit[3 * v] - points[v][0]) / side, (limit[3 * v + 1] - points[v][1]) / side,
-                   (limit[3 * v + 2] - points[v][2]) / side);
+        std::hypot((limit[v][0] - points[v][0]) / side, (limit[v][1] - points[v][1]) / side,
+                   (limit[v][2] - points[v][2]) / side);
     if (distance > error.max || std::isnan(distance)) error.max = distance;
     error.mean += distance / static_cast<double>(points.size());
   }
@@ -214,7 +219,8 @@ std::size_t derivative_count(const PatchRows& rows) {
 }
 
 void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<const Point> points,
-                 const Context& context, SimilarityReport& report) {
+                 const Context& context, SimilaritySolution& solution) {
+  SimilarityReport& report = solution.report;
   const SimilarityOptions& options = prepared.options;
   const double side = bounding_box(points).side();
   const double unit = side > 0 ? side : 1;
@@ -222,8 +228,8 @@ void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<con
   report.solve.tolerance = floored_tolerance(options.tolerance, flat(points), unit);
   report.solve.solver = name_of(options.solver);
   report.solve.iterations = found.outcome.iterations;
-  report.solve.initial = error_of(prepared, found.reference, points, unit, context);
-  report.solve.final = error_of(prepared, found.values, points, unit, context);
+  report.solve.initial = error_of(prepared, points_of(found.reference), points, unit, context);
+  report.solve.final = error_of(prepared, solution.points, points, unit, context);
   report.solve.final.iteration = found.outcome.iterations;
   report.solve.converged = report.solve.final.max <= report.solve.tolerance;
   report.residuals = std::move(found.outcome.residuals);
@@ -313,10 +319,9 @@ Result<void> carry_channels(const SimilarityPrepared& prepared, std::span<const 
 SimilaritySolution solution_of(const SimilarityPrepared& prepared, Found& found,
                                std::span<const Point> points, const Context& context) {
   SimilaritySolution solution;
-  fill_report(prepared, found, points, context, solution.report);
+  solution.points = points_of(found.values);
+  fill_report(prepared, found, points, context, solution);
   judge_residual(prepared, found.outcome, solution.report);
-  solution.points.resize(prepared.control_count());
-  std::copy(found.values.begin(), found.values.end(), flat(std::span(solution.points)).begin());
   return solution;
 }
 
@@ -414,8 +419,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
                      &*equations, requirements},
                     context);
   if (!found) return tl::make_unexpected(found.error());
-  control.points.resize(prepared.control_count());
-  std::copy(found->values.begin(), found->values.end(), flat(std::span(control.points)).begin());
+  control.points = points_of(found->values);
   // Nothing is missed at vertices that were let go.
   const auto limits = limit_points(prepared.elimination.limits(), control.points, context);
   for (std::size_t v = 0; v < equations->released.size(); ++v) {

@@ -10,33 +10,17 @@
 
 #include "osd_refiner.hpp"
 #include "scheme/patch_rows.hpp"
+#include "support/vectors.hpp"
 
 namespace surpass {
 namespace {
 
 namespace Bfr = OpenSubdiv::Bfr;
 
-using Values = std::vector<Point>;
-
-Point combined(double a, const Point& p, double b, const Point& q) {
-  return {a * p[0] + b * q[0], a * p[1] + b * q[1], a * p[2] + b * q[2]};
-}
-
-double size_of(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
-
-// From each to the nearest of the others, but for the sign.
-double unlike(const Values& values, const Values& others) {
-  double worst = 0;
-  for (const Point& value : values) {
-    double best = HUGE_VAL;
-    for (const Point& other : others) {
-      best = std::min(
-          {best, size_of(combined(1, value, -1, other)), size_of(combined(1, value, 1, other))});
-    }
-    worst = std::max(worst, best);
-  }
-  return worst;
-}
+using test::size_of;
+using test::unlike;
+using test::Values;
+using test::weighted_sum;
 
 // First, second and third derivatives along the three sides; the thin plate's integral by the same
 // rule is a number of its own.
@@ -61,14 +45,14 @@ Found by_opensubdiv(const Bfr::Surface<double>& surface, const Values& control) 
       Point p, du, dv, duu, duv, dvv;
       surface.Evaluate(uv, patch.data(), 3, p.data(), du.data(), dv.data(), duu.data(), duv.data(),
                        dvv.data());
-      found.first.insert(found.first.end(), {du, dv, combined(1, dv, -1, du)});
+      found.first.insert(found.first.end(), {du, dv, weighted_sum(1, dv, -1, du)});
       second[i][j][0] = duu;
-      second[i][j][1] = combined(1, combined(1, duu, -2, duv), 1, dvv);
+      second[i][j][1] = weighted_sum(1, weighted_sum(1, duu, -2, duv), 1, dvv);
       second[i][j][2] = dvv;
       found.second.insert(found.second.end(), second[i][j], second[i][j] + 3);
       // With a right angle and sides of length 1: x = u + v / 2, y = sqrt(3) / 2 v.
-      const Point xy = combined(2 / std::sqrt(3.0), duv, -1 / std::sqrt(3.0), duu);
-      const Point yy = combined(4.0 / 3, combined(1, dvv, -1, duv), 1.0 / 3, duu);
+      const Point xy = weighted_sum(2 / std::sqrt(3.0), duv, -1 / std::sqrt(3.0), duu);
+      const Point yy = weighted_sum(4.0 / 3, weighted_sum(1, dvv, -1, duv), 1.0 / 3, duu);
       const double bending =
           std::pow(size_of(duu), 2) + 2 * std::pow(size_of(xy), 2) + std::pow(size_of(yy), 2);
       const int ends = (i == 0 ? 1 : 0) + (j == 0 ? 1 : 0) + (i + j == 2 ? 1 : 0);
@@ -82,7 +66,7 @@ Found by_opensubdiv(const Bfr::Surface<double>& surface, const Values& control) 
         const int a = i + kSteps[axis][0];
         const int b = j + kSteps[axis][1];
         if (a < 0 || a + b > 2) continue;
-        found.third.push_back(combined(2, second[a][b][axis], -2, second[i][j][axis]));
+        found.third.push_back(weighted_sum(2, second[a][b][axis], -2, second[i][j][axis]));
       }
     }
   }
@@ -95,7 +79,7 @@ Found by_rows(const PatchRows& rows, std::size_t patch, const Values& control) {
   for (std::size_t r = 0; r < kind.row_count(); ++r) {
     Point value = {};
     for (std::size_t c = 0; c < kind.columns; ++c) {
-      value = combined(1, value, kind.row(r)[c], control[rows.columns(patch)[c]]);
+      value = weighted_sum(1, value, kind.row(r)[c], control[rows.columns(patch)[c]]);
     }
     switch (kind.derivative[r]) {
       case Derivative::first: found.first.push_back(value); break;
@@ -183,7 +167,8 @@ TEST(LoopDerivativeRows, TangentsAtExtraordinaryVerticesAreEigenvectors) {
     int matched = 0;
     for (const Point& t : tangents(fine)) {
       double best = HUGE_VAL;
-      for (const Point& c : coarse) best = std::min(best, size_of(combined(1, t, -eigenvalue, c)));
+      for (const Point& c : coarse)
+        best = std::min(best, size_of(weighted_sum(1, t, -eigenvalue, c)));
       matched += best < 1e-14 ? 1 : 0;
     }
     EXPECT_GE(matched, static_cast<int>(2 * n)) << n;

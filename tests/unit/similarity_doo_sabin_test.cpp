@@ -5,30 +5,10 @@
 
 #include "doo_sabin_samples.hpp"
 #include "scheme/patch_rows.hpp"
+#include "support/vectors.hpp"
 
 namespace surpass::test {
 namespace {
-
-using Values = std::vector<Point>;
-
-Point sum(double a, const Point& p, double b, const Point& q) {
-  return {a * p[0] + b * q[0], a * p[1] + b * q[1], a * p[2] + b * q[2]};
-}
-
-double size_of(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
-
-// From each to the nearest of the others, but for the sign.
-double unlike(const Values& values, const Values& others) {
-  double worst = 0;
-  for (const Point& value : values) {
-    double best = HUGE_VAL;
-    for (const Point& other : others) {
-      best = std::min({best, size_of(sum(1, value, -1, other)), size_of(sum(1, value, 1, other))});
-    }
-    worst = std::max(worst, best);
-  }
-  return worst;
-}
 
 struct Derivatives {
   Values first;
@@ -42,7 +22,7 @@ Derivatives by_rows(const PatchRows& rows, std::size_t patch, const Values& cont
   for (std::size_t r = 0; r < kind.row_count(); ++r) {
     Point value = {};
     for (std::size_t c = 0; c < kind.columns; ++c) {
-      value = sum(1, value, kind.row(r)[c], control[rows.columns(patch)[c]]);
+      value = weighted_sum(1, value, kind.row(r)[c], control[rows.columns(patch)[c]]);
     }
     switch (kind.derivative[r]) {
       case Derivative::first: found.first.push_back(value); break;
@@ -84,7 +64,7 @@ std::array<Point, 9> net_around(const Mesh& mesh, const Topology& t, Index v) {
 Point combined(const std::array<Point, 9>& net, const Weights3& u, const Weights3& v) {
   Point p = {};
   for (std::size_t j = 0; j < 3; ++j) {
-    for (std::size_t i = 0; i < 3; ++i) p = sum(1, p, u[i] * v[j], net[3 * j + i]);
+    for (std::size_t i = 0; i < 3; ++i) p = weighted_sum(1, p, u[i] * v[j], net[3 * j + i]);
   }
   return p;
 }
@@ -173,9 +153,9 @@ TEST(DooSabinDerivativeRows, BesideOtherFacesAreThoseOfTheRefinedMesh) {
         topology.for_each_outgoing(rows.vertices()[p], [&](Index h) {
           if (!among_quads(fine_topology, h)) return;
           const auto quarter = by_splines(net_around(fine, fine_topology, h), 1);
-          for (const Point& d : quarter.first) theirs.first.push_back(sum(2, d, 0, d));
-          for (const Point& d : quarter.second) theirs.second.push_back(sum(4, d, 0, d));
-          for (const Point& d : quarter.mixed) theirs.mixed.push_back(sum(4, d, 0, d));
+          for (const Point& d : quarter.first) theirs.first.push_back(weighted_sum(2, d, 0, d));
+          for (const Point& d : quarter.second) theirs.second.push_back(weighted_sum(4, d, 0, d));
+          for (const Point& d : quarter.mixed) theirs.mixed.push_back(weighted_sum(4, d, 0, d));
         });
         const Derivatives ours = by_rows(rows, p, control.points);
         EXPECT_EQ(ours.first.size(), 18U);
@@ -217,8 +197,8 @@ TEST(DooSabinDerivativeRows, TangentsInOtherFacesAreEigenvectors) {
       for (const Point& t : tangents(fine, face)) {
         double best = HUGE_VAL;
         for (const Point& c : coarse) {
-          best = std::min(
-              {best, size_of(sum(1, t, -eigenvalue, c)), size_of(sum(1, t, eigenvalue, c))});
+          best = std::min({best, size_of(weighted_sum(1, t, -eigenvalue, c)),
+                           size_of(weighted_sum(1, t, eigenvalue, c))});
         }
         matched += best < 1e-14 ? 1 : 0;
       }
@@ -264,7 +244,7 @@ TEST(DooSabinDerivativeRows, SharedSidesMakeTheSameSums) {
         for (std::size_t r = 0; r < kind.row_count(); ++r) {
           Point value = {};
           for (std::size_t c = 0; c < kind.columns; ++c) {
-            value = sum(1, value, kind.row(r)[c], control.points[rows.columns(p)[c]]);
+            value = weighted_sum(1, value, kind.row(r)[c], control.points[rows.columns(p)[c]]);
           }
           const auto which = 2 * static_cast<std::size_t>(kind.derivative[r]);
           sums[s][which] += kind.count[r] * dot(value, value);
@@ -324,7 +304,7 @@ TEST(SimilarityOnDooSabin, InterpolatesNothingButDoublets) {
   const Mesh whole = split;
   for (const auto& [a, b] : std::initializer_list<std::pair<Index, Index>>{
            {0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}) {
-    split = split_edge(split, a, b, sum(0.4, whole.points[a], 0.7, whole.points[b]));
+    split = split_edge(split, a, b, weighted_sum(0.4, whole.points[a], 0.7, whole.points[b]));
   }
   for (const Rules& rules : doo_sabin_rules()) {
     for (const Index n : {3U, 4U, 7U, 100U}) expect_interpolated(pillow(n), rules);
