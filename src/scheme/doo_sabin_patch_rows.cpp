@@ -7,6 +7,7 @@
 
 #include "scheme/doo_sabin.hpp"
 #include "scheme/doo_sabin_sites.hpp"
+#include "scheme/numbered_faces.hpp"
 #include "scheme/patch_rows.hpp"
 
 namespace surpass::doo_sabin {
@@ -14,9 +15,6 @@ namespace {
 
 constexpr Index kSpokes = 4;
 constexpr std::size_t kRegularColumns = 9;
-// Of a face with more, each of whose patches depends on all of them, nothing is used that depends
-// on all: memory and time would grow with the square of their number.
-constexpr Index kMostCorners = 256;
 
 class PatchFinder {
  public:
@@ -40,9 +38,7 @@ class PatchFinder {
   [[nodiscard]] Counts counts_at(Index v) const;
   [[nodiscard]] unsigned char count(Index h, Index side) const;
   void gather(Index v);
-  void add_corner(Index v);
   [[nodiscard]] bool all_quads(Index v) const;
-  [[nodiscard]] Mesh piece() const;
   Result<Index> kind_of(Index v, const Counts& counts, PatchRows& rows);
   void add_curve(Index v, PatchRows& rows);
 
@@ -55,9 +51,8 @@ class PatchFinder {
   std::vector<Index> regular_;  // kinds among quads, by the counts of their sides
   std::unordered_map<std::string, Index> numbers_;
   std::array<Index, 3> curves_ = {kNone, kNone, kNone};  // kinds by the faces beside a curve
-  std::vector<Index> vertices_;                          // of the piece at hand
-  std::vector<Index> corners_;  // of each of its faces: how many, and their numbers
-  std::vector<Index> cut_;      // its faces of which it has not all corners
+  NumberedFaces piece_;                                  // at hand
+  std::vector<Index> cut_;  // its faces of which it has not all corners
 };
 
 bool PatchFinder::is_square(Index v) const {
@@ -96,33 +91,18 @@ PatchFinder::Counts PatchFinder::counts_at(Index v) const {
 
 // The faces around v, each from v on; of a large one v and its neighbours.
 void PatchFinder::gather(Index v) {
-  vertices_.clear();
-  corners_.clear();
+  piece_.clear();
   cut_.clear();
   Index face = 0;
   topology_.for_each_outgoing(v, [&](Index h) {
-    if (topology_.face_degree(topology_.face(h)) > kMostCorners) {
+    if (topology_.face_degree(topology_.face(h)) > PatchRows::kMostAround) {
       cut_.push_back(face);
-      corners_.push_back(3);
-      add_corner(v);
-      add_corner(topology_.head(h));
-      add_corner(topology_.tail(topology_.previous(h)));
+      piece_.add({v, topology_.head(h), topology_.tail(topology_.previous(h))});
     } else {
-      corners_.push_back(topology_.face_degree(topology_.face(h)));
-      Index k = h;
-      do {
-        add_corner(topology_.tail(k));
-        k = topology_.next(k);
-      } while (k != h);
+      piece_.add(topology_, h);
     }
     ++face;
   });
-}
-
-void PatchFinder::add_corner(Index v) {
-  const auto at = std::find(vertices_.begin(), vertices_.end(), v) - vertices_.begin();
-  if (at == std::ssize(vertices_)) vertices_.push_back(v);
-  corners_.push_back(static_cast<Index>(at));
 }
 
 bool PatchFinder::all_quads(Index v) const {
@@ -132,32 +112,22 @@ bool PatchFinder::all_quads(Index v) const {
   return quads;
 }
 
-Mesh PatchFinder::piece() const {
-  Mesh mesh;
-  mesh.points.resize(vertices_.size());
-  for (std::size_t k = 0; k < corners_.size(); k += corners_[k] + 1) {
-    mesh.add_face(std::span(corners_).subspan(k + 1, corners_[k]));
-  }
-  return mesh;
-}
-
 Result<Index> PatchFinder::kind_of(Index v, const Counts& counts, PatchRows& rows) {
   // In small meshes the nine vertices of four quads need not be different.
   Index* number = nullptr;
-  if (all_quads(v) && vertices_.size() == kRegularColumns) {
+  if (all_quads(v) && piece_.vertices().size() == kRegularColumns) {
     std::size_t at = 0;
     for (const unsigned char times : counts) at = 3 * at + times;
     number = &regular_[at];
   } else {
-    std::string key(reinterpret_cast<const char*>(corners_.data()),
-                    corners_.size() * sizeof(Index));
+    std::string key(piece_.key());
     key.append(counts.begin(), counts.end());
     key.append(reinterpret_cast<const char*>(cut_.data()), cut_.size() * sizeof(Index));
     number = &numbers_.try_emplace(std::move(key), kNone).first->second;
   }
   if (*number == kNone) {
     // What lies around the piece has no influence; so much the less its boundary rule.
-    auto kind = scheme_.patch_kind(piece(), rules_, level_, counts, cut_);
+    auto kind = scheme_.patch_kind(piece_.mesh(), rules_, level_, counts, cut_);
     if (!kind) return tl::make_unexpected(kind.error());
     *number = rows.add_kind(std::move(*kind));
   }
@@ -199,7 +169,7 @@ Result<void> PatchFinder::add(Index v, PatchRows& rows) {
   gather(v);
   const auto kind = kind_of(v, counts_at(v), rows);
   if (!kind) return tl::make_unexpected(kind.error());
-  rows.add_vertex_patch(v, vertices_, *kind);
+  rows.add_vertex_patch(v, piece_.vertices(), *kind);
   return {};
 }
 

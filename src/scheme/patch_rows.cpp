@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "scheme/numbered_faces.hpp"
 #include "scheme/sharpness.hpp"
 
 namespace surpass {
@@ -20,7 +21,7 @@ class Piece {
   void cut(const Topology& topology, const Sharpness& sharpness, Index f,
            std::span<const unsigned char> sides);
 
-  [[nodiscard]] const std::vector<Index>& vertices() const { return vertices_; }
+  [[nodiscard]] const std::vector<Index>& vertices() const { return numbered_.vertices(); }
   /// Those at which it has only the faces next to its first one.
   [[nodiscard]] const std::vector<Index>& cut_vertices() const { return cut_; }
   /// Everything that the derivatives depend on.
@@ -32,7 +33,6 @@ class Piece {
   void walk_around(const Topology& topology, Index h);
   void walk_beside(const Topology& topology, Index h);
   void add_face(const Topology& topology, Index h);
-  Index number(Index v);
   [[nodiscard]] bool has_edge(Index v, Index w) const;
   void note_sharpness(const Topology& topology, const Sharpness& sharpness);
   template <class Value>
@@ -40,36 +40,25 @@ class Piece {
     key_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
 
-  std::vector<Index> vertices_;  // of the mesh
-  std::vector<Index> faces_;     // of the mesh
-  std::vector<Index> corners_;   // of each face: how many, and their numbers
+  NumberedFaces numbered_;
+  std::vector<Index> faces_;  // of the mesh
   std::vector<Crease> creases_;
   std::vector<Corner> sharp_;
   std::vector<Index> cut_;  // numbers of vertices
   std::string key_;
 };
 
-// With more faces at a vertex, and so at each of their patches, what depends on all of them is left
-// out: memory and time would grow with the square of their number.
-constexpr Index kMostFacesAround = 256;
-
-Index Piece::number(Index v) {
-  const auto at = std::find(vertices_.begin(), vertices_.end(), v) - vertices_.begin();
-  if (at == std::ssize(vertices_)) vertices_.push_back(v);
-  return static_cast<Index>(at);
-}
-
 // Of a face of the piece.
 bool Piece::has_edge(Index v, Index w) const {
-  for (std::size_t k = 0; k < corners_.size(); k += corners_[k] + 1) {
-    const Index m = corners_[k];
-    for (Index i = 0; i < m; ++i) {
-      const Index a = vertices_[corners_[k + 1 + i]];
-      const Index b = vertices_[corners_[k + 1 + (i + 1) % m]];
-      if ((a == v && b == w) || (a == w && b == v)) return true;
+  bool found = false;
+  numbered_.for_each([&](std::span<const Index> face) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Index a = vertices()[face[i]];
+      const Index b = vertices()[face[(i + 1) % face.size()]];
+      found = found || (a == v && b == w) || (a == w && b == v);
     }
-  }
-  return false;
+  });
+  return found;
 }
 
 // The face of h, from the tail of h on.
@@ -77,12 +66,7 @@ void Piece::add_face(const Topology& topology, Index h) {
   const Index f = topology.face(h);
   if (std::find(faces_.begin(), faces_.end(), f) != faces_.end()) return;
   faces_.push_back(f);
-  corners_.push_back(topology.face_degree(f));
-  Index k = h;
-  do {
-    corners_.push_back(number(topology.tail(k)));
-    k = topology.next(k);
-  } while (k != h);
+  numbered_.add(topology, h);
 }
 
 // The faces at the tail of h: counterclockwise from h as far as there are any, then clockwise, then
@@ -107,7 +91,7 @@ void Piece::walk_around(const Topology& topology, Index h) {
 // Two faces on either side of that of h. With them the edges next to the face are complete.
 void Piece::walk_beside(const Topology& topology, Index h) {
   constexpr int kBeside = 2;
-  cut_.push_back(number(topology.tail(h)));
+  cut_.push_back(numbered_.number(topology.tail(h)));
   add_face(topology, h);
   Index k = h;
   for (int i = 0; i < kBeside && k != kNone; ++i) {
@@ -128,25 +112,25 @@ void Piece::note_sharpness(const Topology& topology, const Sharpness& sharpness)
   for (Index h = begin; h < topology.face_end(faces_[0]); ++h) {
     const Index v = topology.tail(h);
     if (sharpness.is_plain(v)) continue;
-    if (sharpness.vertex(v) > 0) sharp_.push_back({number(v), sharpness.vertex(v)});
-    const bool cut = std::find(cut_.begin(), cut_.end(), number(v)) != cut_.end();
+    if (sharpness.vertex(v) > 0) sharp_.push_back({numbered_.number(v), sharpness.vertex(v)});
+    const bool cut = std::find(cut_.begin(), cut_.end(), numbered_.number(v)) != cut_.end();
     topology.for_each_spoke(v, [&](Index w, Index e) {
       if (cut && !has_edge(v, w)) return;
       const float s = sharpness.edge(topology, e);
-      if (s > 0 && !topology.is_boundary_edge(e)) creases_.push_back({{number(v), number(w)}, s});
+      if (s > 0 && !topology.is_boundary_edge(e))
+        creases_.push_back({{numbered_.number(v), numbered_.number(w)}, s});
     });
   }
 }
 
 void Piece::gather(const Topology& topology, Index f) {
-  vertices_.clear();
+  numbered_.clear();
   faces_.clear();
-  corners_.clear();
   cut_.clear();
   const Index begin = topology.face_begin(f);
   add_face(topology, begin);
   for (Index h = begin; h < topology.face_end(f); ++h) {
-    if (topology.faces_at(topology.tail(h)) > kMostFacesAround) {
+    if (topology.faces_at(topology.tail(h)) > PatchRows::kMostAround) {
       walk_beside(topology, h);
     } else {
       walk_around(topology, h);
@@ -161,7 +145,7 @@ void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f,
   key_.clear();
   gather(topology, f);
   note_sharpness(topology, sharpness);
-  key_.append(reinterpret_cast<const char*>(corners_.data()), corners_.size() * sizeof(Index));
+  key_.append(numbered_.key());
   key_.append(reinterpret_cast<const char*>(sides.data()), sides.size());
   append(kNone);
   for (const Crease& crease : creases_) append(crease);
@@ -172,11 +156,7 @@ void Piece::cut(const Topology& topology, const Sharpness& sharpness, Index f,
 }
 
 Mesh Piece::mesh() const {
-  Mesh mesh;
-  mesh.points.resize(vertices_.size());
-  for (std::size_t k = 0; k < corners_.size(); k += corners_[k] + 1) {
-    mesh.add_face(std::span(corners_).subspan(k + 1, corners_[k]));
-  }
+  Mesh mesh = numbered_.mesh();
   mesh.creases = creases_;
   mesh.corners = sharp_;
   return mesh;

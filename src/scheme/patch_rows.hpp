@@ -19,6 +19,11 @@ namespace surpass {
 /// The derivatives of every patch of a control mesh.
 class PatchRows {
  public:
+  /// With more faces at a vertex, or corners of a Doo-Sabin face, and so around each of their
+  /// patches, what depends on all of them is left out: memory and time would grow with the square
+  /// of their number.
+  static constexpr Index kMostAround = 256;
+
   [[nodiscard]] std::size_t patch_count() const { return kind_of_.size(); }
   [[nodiscard]] const PatchKind& kind(std::size_t patch) const { return kinds_[kind_of_[patch]]; }
   [[nodiscard]] Index kind_number(std::size_t patch) const { return kind_of_[patch]; }
@@ -36,9 +41,8 @@ class PatchRows {
 
   /// A patch for every face with `sampled` != 0 (#F; empty: all), in order; or for every vertex
   /// where anything is known, whatever `sampled` says. `level` refinements lead to the samples:
-  /// 2^level + 1 along a side. Where more than 256 faces, or corners of a Doo-Sabin
-  /// face, come together, rows that depend on all of them are left out. Fails where
-  /// Sharpness::build does, with `too_large`, or when cancelled. O(#faces).
+  /// 2^level + 1 along a side. Fails where Sharpness::build does, with `too_large`, or when
+  /// cancelled. O(#faces).
   static Result<PatchRows> build(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                  int level, std::span<const unsigned char> sampled,
                                  const Context& context, Sides sides = Sides::each);
