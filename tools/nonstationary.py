@@ -10,12 +10,12 @@ that of an independent implementation, or a surface does not interpolate.
 """
 import json
 import math
-import os
 import pathlib
 import random
-import subprocess
 import sys
 import tempfile
+
+from program import Program
 
 SHAPES = [0, -1, -2, -3, -3.5]
 STEPS = 7
@@ -76,28 +76,7 @@ def read_off(path):
     return points, [tuple(int(i) for i in words[at + 4 * f + 1:at + 4 * f + 4]) for f in range(m)]
 
 
-class Program:
-    def __init__(self, surpass, folder):
-        self.surpass, self.folder = surpass, folder
-
-    def run(self, *words, allowed=(0,)):
-        report = self.folder / "report.json"
-        said = self.folder / "said.txt"
-        with said.open("w") as stream:
-            child = subprocess.Popen([self.surpass, *map(str, words), "--report", report, "--quiet"],
-                                     stdout=subprocess.DEVNULL, stderr=stream)
-            _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        if child.returncode not in allowed:
-            sys.exit(f"surpass {words[0]}: {said.read_text()}")
-        # Processor seconds: the clock's tell as much of what else the machine does.
-        return {**json.loads(report.read_text()), "processor": usage.ru_utime + usage.ru_stime}
-
-    def timed(self, *words, runs=3):
-        """The last report, and the least processor seconds of some runs on one thread."""
-        reports = [self.run(*words, "--threads", "1") for _ in range(runs)]
-        return reports[-1], min(r["processor"] for r in reports)
-
+class Subdivision(Program):
     def subdivide(self, mesh, levels, *options, name="refined.off"):
         out = self.folder / name
         out.unlink(missing_ok=True)
@@ -311,7 +290,7 @@ def main():
     surpass, output = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as name:
-        program = Program(surpass, pathlib.Path(name))
+        program = Subdivision(surpass, pathlib.Path(name))
         distances, parameters, right = distance_table(program)
         pictures = figures(program, output)
         schemes, inside, planes = schemes_table(program), smooth_inside(program), tangent_planes(program)

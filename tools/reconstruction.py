@@ -7,13 +7,11 @@ Smooth surface reconstruction using Doo-Sabin subdivision surfaces (Cheng, Fan, 
 Miura). Writes OUTPUT/doo-sabin-reconstruction.md. Exits with 1 where a genus, a number of vertices or
 the interpolation is not what it should be.
 """
-import json
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
+from program import Program
 from real_meshes import folder_or_skip
 
 # name, cloud, genus, and the paper's points, vertices and iterations to 1e-6
@@ -43,34 +41,21 @@ BUST = ["The bust is the paper's open model. The mesh that this cloud was sample
         "which are filled by default. With `--close none` they stay, and Doo-Sabin's boundary rule holds them."]
 
 
-class Runner:
-    def __init__(self, surpass, folder):
-        self.surpass, self.folder = surpass, folder
-
+class Reconstruction(Program):
     def reconstruct(self, cloud, *options):
         """Mesh, control mesh and report."""
-        mesh, control, report = (self.folder / n for n in ("mesh.ply", "control.ply", "report.json"))
-        child = subprocess.Popen([self.surpass, "reconstruct", cloud, "-o", mesh, "--control", control,
-                                  "--report", report, "--quiet", *options])
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        if child.returncode != 0:
-            sys.exit(f"reconstruct failed on {cloud}")
-        # Processor seconds: the clock's tell as much of what else the machine does.
-        return mesh, control, {**json.loads(report.read_text()), "processor": usage.ru_utime + usage.ru_stime}
+        mesh, control = self.folder / "mesh.ply", self.folder / "control.ply"
+        return mesh, control, self.run("reconstruct", cloud, "-o", mesh, "--control", control, *options)
 
     def iterations(self, mesh, solver):
         """Evaluations of the limit until every vertex is within 1e-6."""
-        report = self.folder / "solve.json"
-        subprocess.run([self.surpass, "interpolate", mesh, "-o", self.folder / "solved.ply", "--scheme",
-                        "doo-sabin", "--solver", solver, "--tolerance", "1e-6", "--history", "--report",
-                        report, "--quiet"], check=True)
-        return json.loads(report.read_text())["iterations"]
+        return self.run("interpolate", mesh, "-o", self.folder / "solved.ply", "--scheme", "doo-sabin", "--solver",
+                        solver, "--tolerance", "1e-6", "--history")["iterations"]
 
     def draw(self, cloud, mesh, control, picture, camera):
         """Points, polyhedron and surface."""
-        subprocess.run([self.surpass, "render", control, "--levels", "3", "--beside", f"{cloud},{mesh}", "-o",
-                        picture, "--camera", camera, "--size", "480x480", "--quiet"], check=True)
+        self.run("render", control, "--levels", "3", "--beside", f"{cloud},{mesh}", "-o", picture, "--camera", camera,
+                 "--size", "480x480")
 
 
 def measured(runner, cloud, *options):
@@ -154,7 +139,7 @@ def main():
     data = folder_or_skip(sys.argv[2], 2 * len(TABLE_1) + 2 + 2 * len(SHARP), "Reconstruction")
     output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
-        runner = Runner(surpass, pathlib.Path(temporary))
+        runner = Reconstruction(surpass, pathlib.Path(temporary))
         full, simple, pictures, right = table(runner, data, output)
         picture, scan_is_right = scan(runner, data, output)
         sharp, sharp_pictures, sharp_is_right = features(runner, data, output)

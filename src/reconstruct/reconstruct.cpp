@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "mesh/wording.hpp"
 #include "reconstruct/advancing_front.hpp"
 #include "reconstruct/clean_up.hpp"
 #include "reconstruct/cloud.hpp"
@@ -47,10 +48,6 @@ Result<void> check(const ReconstructOptions& options) {
     return refuse("the feature angle must be between 0 and 180 degrees");
   }
   return {};
-}
-
-std::string counted(std::size_t n, const char* what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
 // So many unused points more or less do not matter.
@@ -279,8 +276,9 @@ Result<void> Run::try_without_smoothing() {
     report().warnings.push_back(fmt::format(
         "the points are not smoothed, although they scatter: that would leave {} and {}, "
         "not {} and {}",
-        counted(with.open_loops, "boundary loop"), counted(with.unused, "unused point"),
-        report().open_loops, report().unused));
+        counted(with.open_loops, "boundary loop", "boundary loops"),
+        counted(with.unused, "unused point", "unused points"), report().open_loops,
+        report().unused));
     return {};
   }
   report() = with;
