@@ -101,6 +101,10 @@ void Nonstationary::define(Options& options, bool measured) {
                    "0, each with a position on the line from the vertex (0) through the centroid "
                    "of its neighbours (1)")
               .type_name("FILE"));
+  grouped(options.flag(
+      "--keep-folds", keep_folds_,
+      "Keep boundaries and creases smooth where they turn the surface over; otherwise such a "
+      "vertex becomes a corner, and a note names it"));
 }
 
 std::vector<std::string> Nonstationary::inputs() const {
@@ -119,6 +123,7 @@ Result<void> Nonstationary::check(const RulesOption& rules) const {
                      : rule_                  ? "--rule"
                      : iteration_             ? "--iteration"
                      : !targets_path_.empty() ? "--targets"
+                     : keep_folds_            ? "--keep-folds"
                      : rules.loop_weights()   ? "--weights warren and classic"
                                               : nullptr;
   if (!rules.nonstationary()) {
@@ -156,6 +161,7 @@ Result<NonstationaryOptions> Nonstationary::choose(const Mesh& mesh, const Rules
   options.weights = rules.loop_weights().value_or(options.weights);
   options.iteration = iteration_.value_or(options.iteration);
   options.steps = steps;
+  options.corners_at_folds = !keep_folds_;
   options.rule =
       uniform_option_.given() ? NonstationaryRule::uniform : rule_.value_or(options.rule);
   if (!targets_path_.empty()) {

@@ -59,6 +59,7 @@ class Nonstationary {
   double uniform_ = 1;
   Option uniform_option_;
   std::string targets_path_;
+  bool keep_folds_ = false;
 };
 
 }  // namespace surpass::cli

@@ -76,6 +76,10 @@ struct NonstationaryOptions {
   /// edge_only or edge_and_corner. Curves of an interpolating surface pass through their vertices,
   /// too, and depend on these alone.
   Boundary boundary = Boundary::edge_and_corner;
+  /// Vertices where the smooth curve would turn the surface over, so that its normal is on the other
+  /// side than its faces' area, become corners, with a note. Without it a curve depends on its own
+  /// vertices alone: two patches with the same boundary polygon stay together everywhere.
+  bool corners_at_folds = true;
   /// The refined mesh after exactly so many steps contains the given vertices; 0: the limit does.
   int steps = 0;
   /// At most one for a vertex; interior vertices only.
@@ -113,7 +117,8 @@ struct NonstationaryOptions {
 /// Movable; const functions may be called from several threads.
 class NonstationaryLoop {
  public:
-  /// Checks the mesh and solves for the parameters: one scalar equation a valence and target.
+  /// Checks the mesh and solves for the parameters: one scalar equation a valence and target; then
+  /// looks for folds at curves, in O(#faces at curves) for each time that some are found.
   /// Errors: as Topology::build; unsuitable_for_scheme, naming a face that is no triangle, an
   /// interior vertex of valence below 3, a semi-sharp crease or corner, or the end of a crease;
   /// invalid_argument for options out of range, a boundary rule that there is not, a target that
@@ -149,7 +154,7 @@ class NonstationaryLoop {
   [[nodiscard]] double shape() const;
   /// First parameters of the given vertices; those of curves say nothing.
   [[nodiscard]] std::span<const double> vertex_parameters() const;
-  /// What the user should know: a shape that was moved.
+  /// What the user should know: a shape that was moved, vertices that became corners.
   [[nodiscard]] const std::vector<std::string>& notes() const;
   /// The points that the surface shall pass through: the given vertices, and their targets.
   [[nodiscard]] const std::vector<Point>& aims() const;

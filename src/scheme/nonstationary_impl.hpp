@@ -25,6 +25,10 @@ struct NonstationaryLoop::Impl {
   /// normals there.
   [[nodiscard]] Result<Impl> at_limit(const Mesh& values, bool with_normals,
                                       const Context& context) const;
+
+  /// Vertices on smooth curves where the normal at level 0 is on the other side than the faces'.
+  [[nodiscard]] Result<std::vector<Index>> folds(const Context& context) const;
+  Result<void> make_corners_at_folds(const Context& context);
 };
 
 }  // namespace surpass

@@ -64,6 +64,11 @@ Result<NonstationaryLoop> NonstationaryLoop::create(const Mesh& control,
   impl->aims = aimed_points(control, topology, options.targets);
   const bool curves = topology.boundary_edge_count() > 0 || !control.creases.empty();
   impl->first_step_is_its_own = options.rule == NonstationaryRule::quadratic || curves;
+  if (curves && options.corners_at_folds && state.interpolates()) {
+    if (auto ok = impl->make_corners_at_folds(context); !ok) {
+      return tl::make_unexpected(ok.error());
+    }
+  }
   return NonstationaryLoop(std::move(impl));
 }
 

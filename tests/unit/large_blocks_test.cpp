@@ -28,7 +28,7 @@ struct Pages {
 
   [[nodiscard]] std::size_t bytes() const { return mapped.size() * LargeBlocks::kPage; }
 };
-Pages pages;  // the source is plain functions
+Pages kept_pages;  // the source is plain functions
 
 template <class Use>
 void for_each_page(void* begin, std::size_t bytes, Use&& use) {
@@ -38,23 +38,23 @@ void for_each_page(void* begin, std::size_t bytes, Use&& use) {
 
 void* map(std::size_t bytes) {
   EXPECT_EQ(bytes % LargeBlocks::kPage, 0U);
-  if (pages.bytes() + bytes > pages.limit) return nullptr;
-  ++pages.maps;
+  if (kept_pages.bytes() + bytes > kept_pages.limit) return nullptr;
+  ++kept_pages.maps;
   void* begin = system_pages().map(bytes);
-  for_each_page(begin, bytes, [](char* page) { EXPECT_TRUE(pages.mapped.insert(page).second); });
+  for_each_page(begin, bytes, [](char* page) { EXPECT_TRUE(kept_pages.mapped.insert(page).second); });
   return begin;
 }
 
 void unmap(void* begin, std::size_t bytes) {
-  for_each_page(begin, bytes, [](char* page) { EXPECT_EQ(pages.mapped.erase(page), 1U); });
+  for_each_page(begin, bytes, [](char* page) { EXPECT_EQ(kept_pages.mapped.erase(page), 1U); });
   system_pages().unmap(begin, bytes);
 }
 
 bool move(void* from, std::size_t bytes, void* to) {
-  if (!pages.may_move) return false;
-  ++pages.moves;
-  for_each_page(to, bytes, [](char* page) { EXPECT_TRUE(pages.mapped.contains(page)); });
-  for_each_page(from, bytes, [](char* page) { EXPECT_EQ(pages.mapped.erase(page), 1U); });
+  if (!kept_pages.may_move) return false;
+  ++kept_pages.moves;
+  for_each_page(to, bytes, [](char* page) { EXPECT_TRUE(kept_pages.mapped.contains(page)); });
+  for_each_page(from, bytes, [](char* page) { EXPECT_EQ(kept_pages.mapped.erase(page), 1U); });
   const bool moved = system_pages().move(from, bytes, to);
   EXPECT_TRUE(moved);
   return moved;
@@ -62,11 +62,11 @@ bool move(void* from, std::size_t bytes, void* to) {
 
 class LargeBlocksTest : public testing::Test {
  protected:
-  void SetUp() override { pages = {}; }
+  void SetUp() override { kept_pages = {}; }
   void TearDown() override {
     store_.give_back();
     EXPECT_EQ(store_.figures().used, 0U);
-    EXPECT_EQ(pages.bytes(), 0U);
+    EXPECT_EQ(kept_pages.bytes(), 0U);
   }
 
   // Written all over, so that a page that is not there would be noticed.
@@ -85,7 +85,7 @@ class LargeBlocksTest : public testing::Test {
   }
   void expect_bound() const {
     const LargeBlocks::Figures figures = store_.figures();
-    EXPECT_EQ(figures.used + figures.kept, pages.bytes());
+    EXPECT_EQ(figures.used + figures.kept, kept_pages.bytes());
     EXPECT_LE(figures.used + figures.kept, figures.most);
   }
 
@@ -97,7 +97,7 @@ TEST_F(LargeBlocksTest, AFreedBlockServesTheNext) {
   drop(first);
   unsigned char* second = take(10 * kMega - 5, 7);
   EXPECT_EQ(second, first);
-  EXPECT_EQ(pages.maps, 1U);
+  EXPECT_EQ(kept_pages.maps, 1U);
   drop(second);
 }
 
@@ -106,14 +106,14 @@ TEST_F(LargeBlocksTest, ALargeBlockServesSeveralSmallerOnesAndBack) {
   drop(large);
   std::vector<unsigned char*> parts;
   for (int k = 0; k < 4; ++k) parts.push_back(take(6 * kMega));
-  EXPECT_EQ(pages.maps, 1U);
+  EXPECT_EQ(kept_pages.maps, 1U);
   for (unsigned char* part : parts) {
     EXPECT_GE(part, large);
     EXPECT_LT(part, large + 24 * kMega);
     drop(part);
   }
   EXPECT_EQ(take(24 * kMega), large);
-  EXPECT_EQ(pages.maps, 1U);
+  EXPECT_EQ(kept_pages.maps, 1U);
   drop(large);
 }
 
@@ -122,7 +122,7 @@ TEST_F(LargeBlocksTest, SmallPiecesMoveIntoALargerBlock) {
   for (int k = 0; k < 6; ++k) parts.push_back(take(5 * kMega + 4096));
   for (unsigned char* part : parts) drop(part);
   unsigned char* large = take(25 * kMega, 9);
-  EXPECT_GT(pages.moves, 0U);
+  EXPECT_GT(kept_pages.moves, 0U);
   EXPECT_TRUE(std::all_of(large, large + 25 * kMega, [](unsigned char c) { return c == 9; }));
   drop(large);
 }
@@ -132,11 +132,11 @@ TEST_F(LargeBlocksTest, PagesOfAMovedBlockMoveAgain) {
   for (int k = 0; k < 6; ++k) parts.push_back(take(4 * kMega));
   for (unsigned char* part : parts) drop(part);
   for (const std::size_t size : {10 * kMega, 18 * kMega, 23 * kMega}) drop(take(size));
-  EXPECT_GT(pages.moves, 3U);
+  EXPECT_GT(kept_pages.moves, 3U);
 }
 
 TEST_F(LargeBlocksTest, WithoutMovingEverythingIsFresh) {
-  pages.may_move = false;
+  kept_pages.may_move = false;
   unsigned char* a = take(4 * kMega);
   unsigned char* b = take(4 * kMega);
   drop(a);
@@ -157,7 +157,7 @@ TEST_F(LargeBlocksTest, NothingIsKeptBeyondTheMostThatWasUsed) {
 }
 
 TEST_F(LargeBlocksTest, WhereMemoryEndsWhatIsKeptIsGivenBackFirst) {
-  pages.limit = 32 * kMega;
+  kept_pages.limit = 32 * kMega;
   unsigned char* a = take(20 * kMega);
   unsigned char* b = take(6 * kMega);
   drop(a);
@@ -214,7 +214,7 @@ TEST_F(LargeBlocksTest, BlocksInUseNeverMeet) {
     EXPECT_TRUE(holds(block));
     drop(block.begin);
   }
-  EXPECT_GT(pages.moves, 0U);
+  EXPECT_GT(kept_pages.moves, 0U);
 }
 
 TEST(LargeBlocks, ThreadsShareThem) {
@@ -230,7 +230,7 @@ TEST(LargeBlocks, ThreadsShareThem) {
         std::memset(block, static_cast<int>(k), size);
         wrong[k] += static_cast<std::size_t>(
             std::count_if(block, block + size, [&](unsigned char c) { return c != k; }));
-        wrong[k] += store.free(block) ? 0 : 1;
+        wrong[k] += store.free(block) ? 0U : 1U;
       }
     });
   }
