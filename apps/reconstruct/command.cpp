@@ -183,8 +183,8 @@ Result<void> Reconstruct::run(Session& session) {
   if (!unused_path_.empty()) of_points.push_back(unused_path_);
   if (const auto ready = output_.prepare(session, {path_}, further, of_points); !ready)
     return ready;
-  if (const auto ready = page_.prepare({path_}, {output_.path(), control_path_, surface_.path(),
-                                                 unused_path_, session.report_path});
+  if (const auto ready = page_.prepare(
+          session, {path_}, {output_.path(), control_path_, surface_.path(), unused_path_});
       !ready) {
     return ready;
   }

@@ -57,7 +57,7 @@ class Compare : public Command {
 
   Result<void> run(Session& session) override {
     if (const auto checked = check_report_path(session, {a_, b_}); !checked) return checked;
-    if (const auto ready = page_.prepare({a_, b_}, {session.report_path}); !ready) return ready;
+    if (const auto ready = page_.prepare(session, {a_, b_}, {}); !ready) return ready;
     const Result<LoadedMesh> a = load(a_, "a", session);
     if (!a) return tl::make_unexpected(a.error());
     const Result<LoadedMesh> b = load(b_, "b", session);
@@ -93,8 +93,7 @@ class Compare : public Command {
 
   Result<LoadedMesh> load(const std::string& path, const char* key, Session& session) const {
     Result<LoadedMesh> loaded = load_mesh(path, path == "-" ? from_ : Format::automatic, session);
-    if (loaded && (session.reporting() || page_.wanted()))
-      session.report[key] = mesh_json(path, loaded->mesh);
+    if (loaded && session.is_read()) session.report[key] = mesh_json(path, loaded->mesh);
     return loaded;
   }
 

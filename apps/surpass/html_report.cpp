@@ -128,10 +128,12 @@ void HtmlReport::define(Options& options) {
       .group("Output");
 }
 
-Result<void> HtmlReport::prepare(const std::vector<std::string>& inputs,
+Result<void> HtmlReport::prepare(Session& session, const std::vector<std::string>& inputs,
                                  const std::vector<std::string>& other_outputs) {
   if (!wanted()) return {};
+  session.on_page = true;
   std::vector<std::string> outputs = other_outputs;
+  outputs.push_back(session.report_path);
   std::erase(outputs, "");
   outputs.push_back(path_);
   if (const auto checked = check_paths(inputs, outputs, true); !checked) return checked;

@@ -26,7 +26,7 @@ class HtmlReport {
 
   /// Before the work: the page can be written where it shall be, and its frame is there. Does
   /// nothing if no page is wanted.
-  [[nodiscard]] Result<void> prepare(const std::vector<std::string>& inputs,
+  [[nodiscard]] Result<void> prepare(Session& session, const std::vector<std::string>& inputs,
                                      const std::vector<std::string>& other_outputs);
 
   /// Adds something to look at. `id` is for the page: "given", "control", "plain" and "surface" are

@@ -151,8 +151,7 @@ Result<void> Interpolate::run(Session& session) {
   if (surface_.wanted()) surfaces.push_back(surface_.path());
   const auto prepared = output_.prepare(session, inputs, surfaces);
   if (!prepared) return prepared;
-  if (const auto ready =
-          page_.prepare(inputs, {output_.path(), surface_.path(), session.report_path});
+  if (const auto ready = page_.prepare(session, inputs, {output_.path(), surface_.path()});
       !ready) {
     return ready;
   }

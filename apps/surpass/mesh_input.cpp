@@ -53,7 +53,7 @@ Result<LoadedMesh> MeshInput::load(Session& session) const {
   if (!loaded) return loaded;
   const Result<void> mended = mending_.apply(loaded->mesh, session);
   if (!mended) return tl::make_unexpected(mended.error());
-  if (session.reporting()) session.report["input"] = mesh_json(path_, loaded->mesh);
+  if (session.is_read()) session.report["input"] = mesh_json(path_, loaded->mesh);
   return loaded;
 }
 

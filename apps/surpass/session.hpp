@@ -21,8 +21,11 @@ struct Session {
   Context context;  ///< to pass to the library: threads, progress, cancellation by a signal
   Json report = Json::object();  ///< written to --report after the command, whatever its outcome
   std::string report_path = {};
+  bool on_page = false;  ///< a page of HTML shows the report
 
   [[nodiscard]] bool reporting() const { return !report_path.empty(); }
+  /// Whether anybody reads the report, so that what takes time to find out belongs into it.
+  [[nodiscard]] bool is_read() const { return reporting() || on_page; }
 
   /// Prints what a command found on stdout; `--report -` puts the report in its place.
   [[nodiscard]] Result<void> print_result(const std::string& text) const;

@@ -48,7 +48,7 @@ class Subdivide : public Command {
     inputs.push_back(input_.path());
     const auto prepared = output_.prepare(session, inputs);
     if (!prepared) return prepared;
-    const auto ready = page_.prepare({input_.path()}, {output_.path(), session.report_path});
+    const auto ready = page_.prepare(session, {input_.path()}, {output_.path()});
     if (!ready) return ready;
     const Result<LoadedMesh> loaded = input_.load(session);
     if (!loaded) return tl::make_unexpected(loaded.error());

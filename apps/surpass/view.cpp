@@ -78,7 +78,7 @@ class View : public Command {
       path_ = *chosen;
     }
     page_.set_path(path_);
-    if (const auto ready = page_.prepare(paths_, {session.report_path}); !ready) return ready;
+    if (const auto ready = page_.prepare(session, paths_, {}); !ready) return ready;
     session.report["files"] = Json::array();
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       if (const auto added = add(i, session); !added) return added;

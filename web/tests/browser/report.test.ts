@@ -53,10 +53,11 @@ test('interpolate: one file, without a network, with every view and the figures'
 test('subdivide, compare and reconstruct write one, too', async () => {
   const torus = data('quad_torus.obj');
   expect(surpass('subdivide', torus, '-o', file('s.ply'), '--levels', '2', '--limit', '--html', file('s.html')).status).toBe(0);
+  expect(surpass('interpolate', torus, '-o', file('n.ply'), '--html', file('n.html')).status).toBe(0);
   expect(surpass('compare', torus, file('s.ply'), '--accuracy', '1e-3', '--html', file('k.html')).status).toBe(0);
   expect(surpass('reconstruct', data('sphere_irregular.obj'), '-o', file('r.ply'), '--html', file('r.html')).status).toBe(0);
   const wanted: [string, string, string][] = [
-    ['s.html', 'Limit surface', 'Refinements'], ['k.html', 'B', 'Hausdorff'], ['r.html', 'Surface', 'Spacing']];
+    ['s.html', 'Limit surface', 'Refinements'], ['n.html', 'Given mesh', 'Input'], ['k.html', 'B', 'Hausdorff'], ['r.html', 'Surface', 'Spacing']];
   for (const [name, layer, figure] of wanted) {
     const { page, complaints } = await show(file(name));
     await radio(page, 'One').check();
