@@ -76,9 +76,9 @@ struct NonstationaryOptions {
   /// edge_only or edge_and_corner. Curves of an interpolating surface pass through their vertices,
   /// too, and depend on these alone.
   Boundary boundary = Boundary::edge_and_corner;
-  /// Vertices where the smooth curve would turn the surface over, so that its normal is on the other
-  /// side than its faces' area, become corners, with a note. Without it a curve depends on its own
-  /// vertices alone: two patches with the same boundary polygon stay together everywhere.
+  /// Vertices where the smooth curve would turn the surface over, so that its normal is on the
+  /// other side than its faces' area, become corners, with a note. Without it a curve depends on
+  /// its own vertices alone: two patches with the same boundary polygon stay together everywhere.
   bool corners_at_folds = true;
   /// The refined mesh after exactly so many steps contains the given vertices; 0: the limit does.
   int steps = 0;

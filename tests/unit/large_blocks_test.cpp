@@ -41,7 +41,8 @@ void* map(std::size_t bytes) {
   if (kept_pages.bytes() + bytes > kept_pages.limit) return nullptr;
   ++kept_pages.maps;
   void* begin = system_pages().map(bytes);
-  for_each_page(begin, bytes, [](char* page) { EXPECT_TRUE(kept_pages.mapped.insert(page).second); });
+  for_each_page(begin, bytes,
+                [](char* page) { EXPECT_TRUE(kept_pages.mapped.insert(page).second); });
   return begin;
 }
 
