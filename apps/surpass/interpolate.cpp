@@ -193,10 +193,12 @@ Result<void> Interpolate::run(Session& session) {
 Result<void> Interpolate::not_reached(const SolveReport& solved, double error) const {
   const std::string advice = keep_best_ ? "" : ", or have the best mesh written with --keep-best";
   if (error <= solved.tolerance) {
-    return fail(ErrorCode::not_converged,
-                fmt::format("the positions reached the tolerance {:.3g}, but a channel did not; "
-                            "allow more with --max-iterations{}",
-                            solved.tolerance, advice));
+    return fail(
+        ErrorCode::not_converged,
+        fmt::format(
+            "the positions reached the tolerance {:.3g}, but a channel or a requirement did not; "
+            "allow more with --max-iterations{}",
+            solved.tolerance, advice));
   }
   if (method_ != Method::progressive) {
     return fail(ErrorCode::not_converged,

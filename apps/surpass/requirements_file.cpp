@@ -1,15 +1,13 @@
 #include "requirements_file.hpp"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <initializer_list>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "session.hpp"
+#include "text_file.hpp"
 
 namespace surpass::cli {
 namespace {
@@ -83,11 +81,13 @@ class Entry {
   bool index(const char* key, Index& value) {
     known_.emplace_back(key);
     if (!json_.contains(key)) return problem(fmt::format("\"{}\" is missing", key));
+    // 1.0 is an integer, too, as the schema has it.
     const Json& json = json_[key];
-    if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= kNone) {
+    const double number = json.is_number() ? json.get<double>() : -1;
+    if (!(number >= 0 && number < kNone) || number != std::floor(number)) {
       return problem(fmt::format("\"{}\" is not a number of an element, counted from 0", key));
     }
-    value = json.get<Index>();
+    value = static_cast<Index>(number);
     return true;
   }
 
@@ -122,15 +122,12 @@ class Entry {
 }  // namespace
 
 Result<std::vector<Requirement>> read_requirements(const std::string& path) {
-  std::ifstream file(path);
+  const Result<std::string> text = read_text(path);
+  if (!text) return tl::make_unexpected(text.error());
   const Place place{.file = path};
-  if (!file) {
-    return fail(ErrorCode::cannot_open, fmt::format("cannot be opened: {}", std::strerror(errno)),
-                place);
-  }
   Json json;
   try {
-    json = Json::parse(file);
+    json = Json::parse(*text);
   } catch (const Json::parse_error& error) {
     Place where = place;
     where.byte = error.byte > 0 ? error.byte - 1 : 0;

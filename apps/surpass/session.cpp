@@ -33,6 +33,7 @@ int exit_status(ErrorCode code) {
     case ErrorCode::too_large:
     case ErrorCode::unsuitable_for_scheme:
     case ErrorCode::singular:
+    case ErrorCode::contradictory:
     case ErrorCode::mismatch: return 3;
     case ErrorCode::not_converged: return 4;
     case ErrorCode::cannot_write: return 5;

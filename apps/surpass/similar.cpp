@@ -31,6 +31,34 @@ Json requirements_json(const std::vector<Requirement>& requirements,
   return list;
 }
 
+/// The normals that a file has for its vertices, or for their faces' corners where these agree at a
+/// vertex; zeros at other vertices. Nothing if it has none at all.
+std::optional<std::vector<Point>> vertex_normals(const Mesh& mesh) {
+  std::vector<Point> normals(mesh.points.size());
+  const auto is_normal = [](const auto& c) { return c.name == "normal"; };
+  const auto channel = std::find_if(mesh.channels.begin(), mesh.channels.end(), is_normal);
+  if (channel != mesh.channels.end() && channel->width() == 3) {
+    std::copy(channel->values.begin(), channel->values.end(), flat(std::span(normals)).begin());
+    return normals;
+  }
+  const auto& of_corners = mesh.corner_channels;
+  const auto corners = std::find_if(of_corners.begin(), of_corners.end(), is_normal);
+  if (corners == of_corners.end() || corners->width != 3) return std::nullopt;
+  std::vector<unsigned char> seen(normals.size(), 0);
+  for (Index c = 0; c < mesh.corner_count(); ++c) {
+    const Index row = corners->indices[c];
+    Point here = {};
+    if (row != kNone) std::copy_n(&corners->values[std::size_t{3} * row], 3, here.begin());
+    const Index v = mesh.face_vertices[c];
+    if (std::exchange(seen[v], 1) == 0) {
+      normals[v] = here;
+    } else if (normals[v] != here) {
+      normals[v] = {};
+    }
+  }
+  return normals;
+}
+
 }  // namespace
 
 const char* name_of(Method method) {
@@ -177,19 +205,14 @@ Result<std::vector<Point>> Similar::load_normals(const Mesh& given, Session& ses
     if (!loaded) return tl::make_unexpected(loaded.error());
     other = std::move(*loaded);
   }
-  const Mesh& mesh = other ? other->mesh : given;
-  const auto channel = std::find_if(mesh.channels.begin(), mesh.channels.end(), [](const auto& c) {
-    return c.name == "normal" && c.width() == 3;
-  });
-  if (mesh.points.size() != given.points.size() || channel == mesh.channels.end()) {
+  auto normals = vertex_normals(other ? other->mesh : given);
+  if (!normals || normals->size() != given.points.size()) {
     return fail(ErrorCode::mismatch,
                 other ? fmt::format("{} has no normals for the {} vertices of the given mesh",
                                     normals_path_, given.points.size())
-                      : "the given file has no normals, one for each vertex");
+                      : "the given file has no normals");
   }
-  std::vector<Point> normals(given.points.size());
-  std::copy(channel->values.begin(), channel->values.end(), flat(std::span(normals)).begin());
-  return normals;
+  return std::move(*normals);
 }
 
 Result<void> Similar::load_requirements(const Mesh& given, Session& session) {
@@ -203,6 +226,12 @@ Result<void> Similar::load_requirements(const Mesh& given, Session& session) {
   if (!normals) return tl::make_unexpected(normals.error());
   const auto everywhere = normals_everywhere(given, options_.rules, *normals);
   if (!everywhere) return tl::make_unexpected(everywhere.error());
+  if (everywhere->size() < given.points.size()) {
+    session.console.note(fmt::format(
+        "a normal is required at {} of {} vertices; the others have none in the file, or the "
+        "surface has none there: they are on creases, at corners or without faces",
+        everywhere->size(), given.points.size()));
+  }
   requirements_.insert(requirements_.end(), everywhere->begin(), everywhere->end());
   return {};
 }

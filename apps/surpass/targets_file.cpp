@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
+
+#include "text_file.hpp"
 
 namespace surpass::cli {
 
@@ -17,11 +18,9 @@ struct Word {
 };
 
 Result<std::vector<Word>> read_words(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    return fail(ErrorCode::cannot_open, fmt::format("cannot be opened: {}", std::strerror(errno)),
-                Place{.file = path});
-  }
+  const Result<std::string> text = read_text(path);
+  if (!text) return tl::make_unexpected(text.error());
+  std::istringstream file(*text);
   constexpr char kSpace[] = " \t\r\v\f";
   std::vector<Word> words;
   std::uint64_t number = 0;
@@ -35,7 +34,6 @@ Result<std::vector<Word>> read_words(const std::string& path) {
       at = end;
     }
   }
-  if (file.bad()) return fail(ErrorCode::cannot_read, "cannot be read", Place{.file = path});
   return words;
 }
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
-#include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
+
+#include "text_file.hpp"
 
 namespace surpass::cli {
 
@@ -41,11 +42,9 @@ Result<void> parse_line(std::string_view line, Index vertex_count, Place place,
 
 Result<std::vector<Index>> read_vertex_list(const std::string& path, Index vertex_count) {
   Place place{.file = path};
-  std::ifstream file(path);
-  if (!file) {
-    return fail(ErrorCode::cannot_open, fmt::format("cannot be opened: {}", std::strerror(errno)),
-                place);
-  }
+  const Result<std::string> text = read_text(path);
+  if (!text) return tl::make_unexpected(text.error());
+  std::istringstream file(*text);
   std::vector<Index> vertices;
   std::uint64_t number = 0;
   for (std::string line; std::getline(file, line);) {
@@ -53,7 +52,6 @@ Result<std::vector<Index>> read_vertex_list(const std::string& path, Index verte
     const auto parsed = parse_line(line, vertex_count, place, vertices);
     if (!parsed) return tl::make_unexpected(parsed.error());
   }
-  if (file.bad()) return fail(ErrorCode::cannot_read, "cannot be read", Place{.file = path});
   if (vertices.empty()) {
     return fail(ErrorCode::unexpected_end,
                 "names no vertex; write the numbers of those to interpolate, counted from 0",

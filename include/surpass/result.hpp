@@ -42,8 +42,9 @@ enum class ErrorCode {
   duplicate_face,
   too_large,
   unsuitable_for_scheme,
-  singular,  ///< the interpolation problem has no solution, or more than one
-  mismatch,  ///< two meshes that should have the same vertices have not
+  singular,       ///< the interpolation problem has no solution, or more than one
+  contradictory,  ///< no surface meets all that is required of it
+  mismatch,       ///< two meshes that should have the same vertices have not
   // The computation and its output.
   not_converged,
   cancelled,

@@ -92,11 +92,6 @@ std::string named(const std::set<std::size_t>& numbers, std::span<const Requirem
   return text;
 }
 
-Place place_of(const Requirement& r) {
-  if (r.vertex != kNone) return {.vertex = r.vertex};
-  return {.face = r.place.face};
-}
-
 tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t last, double amount,
                                     std::span<const Requirement> requirements) {
   numbers.insert(last);
@@ -105,7 +100,7 @@ tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t l
           ? fmt::format("requirement {} contradicts itself or the given vertices",
                         named(numbers, requirements))
           : fmt::format("requirements contradict each other: {}", named(numbers, requirements));
-  return fail(ErrorCode::singular,
+  return fail(ErrorCode::contradictory,
               fmt::format("{}; together they miss by {:.3g} of the box side", what, amount),
               place_of(requirements[last]));
 }

@@ -1,6 +1,8 @@
 #include "interpolate/requirement_outcomes.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -54,15 +56,23 @@ RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>&
 }  // namespace
 
 Result<std::vector<RequirementOutcome>> requirement_outcomes(
-    const Mesh& control, const Rules& rules, const RequirementRows& equations,
-    std::span<const Requirement> requirements, double side, const Context& context) {
-  const auto surface = LimitSurface::create(control, rules, context);
-  if (!surface) return tl::make_unexpected(surface.error());
-  const auto samples = surface->evaluate(equations.places, context);
-  if (!samples) return tl::make_unexpected(samples.error());
+    const Mesh& control, const Rules& rules, std::span<const Point> limits,
+    const RequirementRows& equations, std::span<const Requirement> requirements, double side,
+    const Context& context) {
+  std::vector<SurfaceSample> samples(requirements.size());
+  if (!std::all_of(requirements.begin(), requirements.end(), is_of_vertex)) {
+    const auto surface = LimitSurface::create(control, rules, context);
+    if (!surface) return tl::make_unexpected(surface.error());
+    auto found = surface->evaluate(equations.places, context);
+    if (!found) return tl::make_unexpected(found.error());
+    samples = std::move(*found);
+  }
   std::vector<RequirementOutcome> outcomes(requirements.size());
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    outcomes[i] = outcome_of(requirements[i], equations.along[i], (*samples)[i], side);
+    const Requirement& r = requirements[i];
+    if (is_of_vertex(r)) samples[i].position = limits[r.vertex];
+    outcomes[i] = outcome_of(r, equations.along[i], samples[i], side);
+    outcomes[i].redundant = equations.repeated[i] != 0;
   }
   return outcomes;
 }

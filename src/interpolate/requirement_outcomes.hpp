@@ -5,10 +5,11 @@
 
 namespace surpass {
 
-/// `control`: the refined mesh with its points. `side` of the given points' box; errors are
-/// relative to it.
+/// `control`: the refined mesh with its points; `limits` of the given vertices. `side` of the given
+/// points' box; errors are relative to it.
 [[nodiscard]] Result<std::vector<RequirementOutcome>> requirement_outcomes(
-    const Mesh& control, const Rules& rules, const RequirementRows& equations,
-    std::span<const Requirement> requirements, double side, const Context& context);
+    const Mesh& control, const Rules& rules, std::span<const Point> limits,
+    const RequirementRows& equations, std::span<const Requirement> requirements, double side,
+    const Context& context);
 
 }  // namespace surpass

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "interpolate/tangent_wishes.hpp"
 #include "scheme/quarter.hpp"
 
 namespace surpass {
@@ -14,14 +15,8 @@ namespace {
 using Kind = Requirement::Kind;
 
 tl::unexpected<Error> refuse(const Requirement& r, std::size_t number, std::string_view why) {
-  Place where;
-  if (r.vertex != kNone) {
-    where.vertex = r.vertex;
-  } else {
-    where.face = r.place.face;
-  }
   return fail(ErrorCode::invalid_argument,
-              fmt::format("requirement {} ({}): {}", number, describe(r), why), where);
+              fmt::format("requirement {} ({}): {}", number, describe(r), why), place_of(r));
 }
 
 bool is_finite(const Point& p) {
@@ -197,21 +192,45 @@ class Equations {
   RequirementRows& out_;
 };
 
-// Positions and removals at the same vertex cannot both be meant.
-Result<void> check_vertices(std::span<const Requirement> requirements, const Mesh& given) {
+// Positions and removals at the same vertex cannot both be meant, unless they say the same. Marks
+// those that do.
+Result<std::vector<unsigned char>> repeats(std::span<const Requirement> requirements,
+                                           const Mesh& given) {
+  std::vector<unsigned char> repeated(requirements.size(), 0);
   std::vector<std::size_t> first(given.vertex_count(), requirements.size());
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
-    if (r.vertex == kNone || (r.kind != Kind::position && r.kind != Kind::remove)) continue;
+    if (!is_of_vertex(r)) continue;
     std::size_t& other = first[r.vertex];
-    if (other < i) {
-      return refuse(
-          r, i,
-          fmt::format("requirement {} ({}) contradicts it", other, describe(requirements[other])));
+    if (other == requirements.size()) {
+      other = i;
+    } else if (requirements[other] == r) {
+      repeated[i] = 1;
+    } else {
+      return fail(ErrorCode::contradictory,
+                  fmt::format("requirements contradict each other: {} ({}), {} ({})", other,
+                              describe(requirements[other]), i, describe(r)),
+                  place_of(r));
     }
-    other = i;
   }
-  return {};
+  return repeated;
+}
+
+// Of every requirement; empty ones if all are of vertices.
+Result<std::vector<SurfaceStencil>> stencils_of(const Mesh& refined, const Rules& rules,
+                                                std::span<const Requirement> requirements,
+                                                const std::vector<SurfacePlace>& places,
+                                                const Context& context) {
+  const auto first = std::find_if_not(requirements.begin(), requirements.end(), is_of_vertex);
+  if (first == requirements.end()) return std::vector<SurfaceStencil>(requirements.size());
+  if (rules.scheme != Scheme::catmull_clark) {
+    return refuse(*first, static_cast<std::size_t>(first - requirements.begin()),
+                  "under this scheme vertices can be moved and removed; normals, derivatives and "
+                  "points elsewhere need the scheme catmull-clark, which takes triangles, too");
+  }
+  const auto surface = LimitSurface::create(refined, rules, context);
+  if (!surface) return tl::make_unexpected(surface.error());
+  return surface->stencils(places, context);
 }
 
 }  // namespace
@@ -236,11 +255,14 @@ Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules
     out.along.push_back(at->along);
     located.push_back(*at);
   }
-  if (auto ok = check_vertices(requirements, given); !ok) return tl::make_unexpected(ok.error());
-  const auto surface = LimitSurface::create(refined, rules, context);
-  if (!surface) return tl::make_unexpected(surface.error());
-  auto stencils = surface->stencils(out.places, context);
+  auto repeated = repeats(requirements, given);
+  if (!repeated) return tl::make_unexpected(repeated.error());
+  out.repeated = std::move(*repeated);
+  auto stencils = stencils_of(refined, rules, requirements, out.places, context);
   if (!stencils) return tl::make_unexpected(stencils.error());
+  if (auto ok = check_tangents(requirements, *stencils, out.along); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
   Equations equations(out);
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     if (auto ok = equations.add(requirements[i], i, located[i], std::move((*stencils)[i])); !ok) {

@@ -11,6 +11,18 @@
 
 namespace surpass {
 
+/// Vertices are moved and removed on surfaces of every scheme; the rest needs one that is evaluated
+/// anywhere.
+[[nodiscard]] inline bool is_of_vertex(const Requirement& r) {
+  const bool moves = r.kind == Requirement::Kind::position || r.kind == Requirement::Kind::remove;
+  return r.vertex != kNone && moves;
+}
+
+[[nodiscard]] inline Place place_of(const Requirement& r) {
+  if (r.vertex != kNone) return {.vertex = r.vertex};
+  return {.face = r.place.face};
+}
+
 /// The sum over columns of weights[c] * (normal . control point) = value.
 struct RequirementRow {
   std::size_t requirement;
@@ -26,15 +38,16 @@ struct RequirementRows {
   };
   std::vector<Weights> weights;
   std::vector<RequirementRow> rows;
-  std::vector<unsigned char> released;       ///< #given: removed vertices; empty without any
-  std::vector<Point> targets;                ///< #given points, positions at vertices replaced
-  std::vector<SurfacePlace> places;          ///< of each requirement, on the refined mesh
+  std::vector<unsigned char> repeated;  ///< of each: an earlier one at its vertex says the same
+  std::vector<unsigned char> released;  ///< #given: removed vertices; empty without any
+  std::vector<Point> targets;           ///< #given points, positions at vertices replaced
+  std::vector<SurfacePlace> places;     ///< of each requirement, on the refined mesh
   std::vector<std::array<double, 2>> along;  ///< the same, by those parameters
 };
 
 /// Fails, naming the requirement, on vertices, places or neighbours that do not exist, numbers that
-/// are not finite, normals and directions of length 0, two for the position of one vertex, and
-/// where the surface has no such tangent.
+/// are not finite, normals and directions of length 0, and where the surface has no such tangent.
+/// With `contradictory`, naming both, if two say different things of one vertex or of its tangents.
 [[nodiscard]] Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules,
                                                        const Mesh& given,
                                                        std::span<const Requirement> requirements,

@@ -11,6 +11,7 @@
 #include "interpolate/linear_system.hpp"
 #include "interpolate/requirement_outcomes.hpp"
 #include "interpolate/similarity_prepared.hpp"
+#include "interpolate/tangent_wishes.hpp"
 #include "scheme/limit_points.hpp"
 
 namespace surpass {
@@ -353,15 +354,16 @@ class OutcomeNotes {
   OutcomeNotes(std::span<const Requirement> requirements, SimilarityReport& report)
       : requirements_(requirements), report_(report) {}
 
-  void add() {
-    constexpr double kMet = 1e-10;
+  /// Nothing is nearer than 4 units in the last place of `points`.
+  void add(std::span<const Point> points, double side) {
+    const double tolerance = floored_tolerance(1e-10, flat(points), side);
     add_where("dropped, for they follow from the others",
               [](const RequirementOutcome& o) { return o.redundant; });
     add_where("met with the opposite sign, which their equations cannot tell",
               [](const RequirementOutcome& o) { return o.flipped; });
     const std::size_t missed =
-        add_where("missed by more than 1e-10 of the box side",
-                  [](const RequirementOutcome& o) { return !(o.error <= kMet); });
+        add_where(fmt::format("missed by more than {:.3g} of the box side", tolerance),
+                  [&](const RequirementOutcome& o) { return !(o.error <= tolerance); });
     if (missed > 0) report_.solve.converged = false;
   }
 
@@ -427,14 +429,17 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   }
   SimilaritySolution solution = solution_of(prepared, *found, targets, context);
   const double side = bounding_box(points).side();
-  auto outcomes =
-      requirement_outcomes(control, rules, *equations, requirements, side > 0 ? side : 1, context);
+  if (auto ok = check_planes(requirements, *equations, control.points, side > 0 ? side : 1); !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  auto outcomes = requirement_outcomes(control, rules, limits, *equations, requirements,
+                                       side > 0 ? side : 1, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   solution.report.requirements = std::move(*outcomes);
   for (std::size_t i = 0; i < found->redundant.size(); ++i) {
-    solution.report.requirements[i].redundant = found->redundant[i] != 0;
+    if (found->redundant[i] != 0) solution.report.requirements[i].redundant = true;
   }
-  OutcomeNotes(requirements, solution.report).add();
+  OutcomeNotes(requirements, solution.report).add(points, side);
   solution.targets = std::move(targets);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());

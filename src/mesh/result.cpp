@@ -26,6 +26,7 @@ const char* name_of(ErrorCode code) {
     case ErrorCode::too_large: return "too-large";
     case ErrorCode::unsuitable_for_scheme: return "unsuitable-for-scheme";
     case ErrorCode::singular: return "singular";
+    case ErrorCode::contradictory: return "contradictory";
     case ErrorCode::mismatch: return "mismatch";
     case ErrorCode::not_converged: return "not-converged";
     case ErrorCode::cancelled: return "cancelled";

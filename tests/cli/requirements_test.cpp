@@ -151,6 +151,34 @@ TEST_F(Requirements, NormalsOfTheGivenFileOrAnother) {
 
 // A normal on the boundary brings the dummy ring with it, unless told otherwise; its faces are
 // holes in the file, and both certificates hold for what is read from it.
+// OBJ files have normals for their faces' corners.
+TEST_F(Requirements, NormalsOfCornersThatAgree) {
+  const std::string given = folder_ / "normals.obj";
+  ASSERT_EQ(surpass({"subdivide", data("quad_torus.obj"), "-o", given, "--levels", "0", "--limit"})
+                .status,
+            0);
+  const std::string report_path = folder_ / "report.json";
+  const Outcome outcome = surpass({"interpolate", given, "-o", control_, "--method", "similarity",
+                                   "--normals", "given", "--report", report_path});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json requirements = json::parse(slurp(report_path))["similarity"]["requirements"];
+  EXPECT_EQ(requirements.size(), read_mesh(given)->mesh.points.size());
+  for (const json& r : requirements) EXPECT_EQ(r["flipped"], false);
+}
+
+TEST_F(Requirements, AFolderIsNoFile) {
+  for (const char* option : {"--requirements", "--only"}) {
+    std::vector<std::string> words = {"interpolate", data("quad_torus.obj"), "-o", control_,
+                                      option,        folder_ / "."};
+    if (option == std::string("--requirements")) {
+      words.insert(words.end(), {"--method", "similarity"});
+    }
+    const Outcome outcome = surpass(words);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("cannot be read"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(Requirements, OnTheBoundaryAreMetInsideADummyRing) {
   const std::string given_path = data("quad_patch.ply");
   const Mesh given = read_mesh(given_path)->mesh;

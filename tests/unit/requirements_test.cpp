@@ -165,8 +165,7 @@ void expect_contradiction(const Mesh& mesh, const std::vector<Requirement>& all,
   for (const Similarity form : kForms) {
     const auto result = interpolate_required(mesh, all, options_with(form));
     ASSERT_FALSE(result);
-    EXPECT_TRUE(result.error().code == ErrorCode::singular ||
-                result.error().code == ErrorCode::invalid_argument);
+    EXPECT_EQ(result.error().code, ErrorCode::contradictory);
     for (const std::string& name : named) {
       EXPECT_NE(result.error().message.find(name), std::string::npos) << describe(result.error());
     }
@@ -191,6 +190,98 @@ TEST(Requirements, ContradictionsAreRefusedAndNamed) {
                        {"0 (position on face 3", "given vertices"});
   expect_contradiction(mesh, {at_vertex(Kind::position, 4, {0, 0, 0}), at_vertex(Kind::remove, 4)},
                        {"0 (position at vertex 4)", "1 (remove at vertex 4)"});
+}
+
+// Tangents of no length would meet the equations of all of these.
+TEST(Requirements, TangentsThatExcludeEachOtherAreRefused) {
+  const Mesh mesh = bumpy();
+  const Index v = mesh.face(2)[0];
+  const auto towards = [&](std::size_t k, Kind kind, Point value) {
+    Requirement r = at_vertex(kind, v, value);
+    r.towards = mesh.face(2)[k];
+    return r;
+  };
+  const Requirement up = at_vertex(Kind::normal, v, {0, 0, 1});
+  const std::vector<std::vector<Requirement>> pairs = {
+      {up, at_vertex(Kind::normal, v, {0, 1, 1})},
+      {up, at_vertex(Kind::normal, v, {0, 0, -1})},
+      {up, on_face(Kind::normal, {2, 0, 0, 0}, {0, 1e-6, 1})},
+      {up, towards(1, Kind::direction, {1, 0, 0.1})},
+      {up, towards(1, Kind::derivative, {0, 0, 0})},
+      {towards(1, Kind::direction, {1, 0, 0}), towards(1, Kind::direction, {1, 0.1, 0})},
+      {towards(1, Kind::direction, {1, 0, 0}), towards(1, Kind::direction, {-1, 0, 0})},
+      {towards(1, Kind::derivative, {1, 0, 0}), towards(1, Kind::direction, {-1, 0, 0})}};
+  for (const auto& pair : pairs) {
+    SCOPED_TRACE(describe(pair[1]));
+    expect_contradiction(mesh, pair, {"0 (" + describe(pair[0]), "1 (" + describe(pair[1])});
+  }
+  // Three directions in one plane that no derivatives of it can have.
+  const auto on_place = [&](std::array<double, 2> along, Point value) {
+    Requirement r = on_face(Kind::direction, {6, 0.5, 0.25, 0}, value);
+    r.along = along;
+    return r;
+  };
+  expect_contradiction(
+      mesh, {on_place({1, 0}, {1, 0, 0}), on_place({0, 1}, {0, 1, 0}), on_place({1, 1}, {1, 1, 1})},
+      {"0 (direction", "1 (direction", "2 (direction"});
+}
+
+TEST(Requirements, TangentsThatAgreeAreMet) {
+  const Mesh mesh = bumpy();
+  const Index v = mesh.face(2)[0];
+  const auto towards = [&](std::size_t k, Point value) {
+    Requirement r = at_vertex(Kind::direction, v, value);
+    r.towards = mesh.face(2)[k];
+    return r;
+  };
+  const SimilarityOptions options = options_with(Similarity::vectors);
+  const std::vector<Requirement> all = {at_vertex(Kind::normal, v, {0, 0, 1}),
+                                        on_face(Kind::normal, {2, 0, 0, 0}, {0, 0, 3}),
+                                        towards(1, {1, 0.2, 0}), towards(1, {2, 0.4, 0})};
+  const auto found = interpolate_required(mesh, all, options);
+  ASSERT_TRUE(found) << describe(found.error());
+  const std::vector<bool> redundant = {false, true, false, true};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(found->report.requirements[i].redundant, redundant[i]) << i;
+    EXPECT_LT(found->report.requirements[i].error, 1e-14) << i;
+  }
+}
+
+// Where a surface is not evaluated anywhere, its vertices can still be moved and let go.
+TEST(Requirements, VerticesAreMovedOnSurfacesOfEveryScheme) {
+  for (const Scheme scheme : {Scheme::loop, Scheme::doo_sabin}) {
+    const Mesh mesh = test::octahedron();
+    SimilarityOptions options = options_with(Similarity::vectors);
+    options.rules = {scheme};
+    const std::vector<Requirement> all = {at_vertex(Kind::position, 2, {0.1, 0.2, 2}),
+                                          at_vertex(Kind::position, 2, {0.1, 0.2, 2}),
+                                          at_vertex(Kind::remove, 3)};
+    const auto solver = SimilarityInterpolator::create(mesh, options).value();
+    const auto found = solver.solve_required(all, mesh.points).value();
+    std::vector<Point> expected = mesh.points;
+    expected[2] = {0.1, 0.2, 2};
+    const auto limits = solver.limit_positions(found.points).value();
+    expected[3] = limits[3];
+    EXPECT_LT(test::max_distance(limits, expected), 1e-14);
+    EXPECT_TRUE(found.report.requirements[1].redundant);
+    const auto refused =
+        solver.solve_required(std::vector{at_vertex(Kind::normal, 1, {0, 0, 1})}, mesh.points);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::invalid_argument);
+  }
+}
+
+// Nothing can be nearer than the digits of its numbers.
+TEST(Requirements, AreMetFarFromTheOrigin) {
+  Mesh mesh = bumpy();
+  for (Point& p : mesh.points) p[0] += 1e8;
+  Point wanted = mesh.points[mesh.face(6)[0]];
+  wanted[2] += 0.1;
+  const auto found =
+      interpolate_required(mesh, std::vector{on_face(Kind::position, {6, 0.5, 0.25, 0}, wanted)},
+                           options_with(Similarity::vectors));
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_TRUE(found->report.solve.converged);
 }
 
 TEST(Requirements, VerticesAreRemovedAndReplaced) {
@@ -330,7 +421,7 @@ TEST(Requirements, NearlyDependentOnesAreMet) {
     all[2].value[1] += 1e-3;
     const auto refused = interpolate_required(mesh, all, options);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::singular);
+    EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
     EXPECT_NE(refused.error().message.find("1 (position on face 6"), std::string::npos)
         << describe(refused.error());
   }

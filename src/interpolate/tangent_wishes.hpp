@@ -1,0 +1,25 @@
+// Contradictions that equations do not see. A normal and a direction say that something vanishes,
+// and tangents of length 0 do all of that: two normals at one place would be met by a surface that
+// has no plane there.
+#pragma once
+
+#include "interpolate/requirement_rows.hpp"
+
+namespace surpass {
+
+/// Fails with `contradictory`, naming two requirements whose places have the same tangents: normals
+/// that differ by more than 1e-9 (radians, for all of this), a direction or derivative that does
+/// not lie across a normal, directions and derivatives along one line that differ or are opposite,
+/// and a derivative of length 0 beside a normal or direction. O(n) where no two share a place.
+[[nodiscard]] Result<void> check_tangents(std::span<const Requirement> requirements,
+                                          std::span<const SurfaceStencil> stencils,
+                                          std::span<const std::array<double, 2>> along);
+
+/// Fails with `contradictory`, naming the requirements there, where normals and directions are met
+/// only because their tangents have no length or no plane on the final surface, `control`. `side`
+/// of the box.
+[[nodiscard]] Result<void> check_planes(std::span<const Requirement> requirements,
+                                        const RequirementRows& equations,
+                                        std::span<const Point> control, double side);
+
+}  // namespace surpass
