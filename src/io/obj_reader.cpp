@@ -1,6 +1,7 @@
 // Wavefront OBJ: polygons, colours at vertices, texture coordinates, normals, groups, and
 // OpenSubdiv's tags. Free-form curves and surfaces, points and lines are skipped with a notice.
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,7 @@ class ObjReader {
   bool read_texture();
   bool read_normal();
   bool read_face();
+  bool read_plain_face();
   bool read_corner_references();
   bool read_index(Numbered& numbered, Index& index);
   bool read_names(FaceSet::Kind kind, std::string_view keyword);
@@ -124,11 +126,14 @@ bool ObjReader::read_statement() {
 bool ObjReader::read_vertex() {
   if (vertices_.count == 0) first_vertex_ = scan_.at();
   if (vertices_.count == kSample) mesh_.points.reserve(kSample + rows_to_come(first_vertex_));
-  Point& point = mesh_.points.emplace_back();
-  for (std::size_t k = 0; k < 3; ++k) {
-    scan_.skip_blanks();
-    if (!scan_.number(point[k], kCoordinates[k])) return false;
+  Point point = {};
+  if (!scan_.plain_decimals(point)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      scan_.skip_blanks();
+      if (!scan_.number(point[k], kCoordinates[k])) return false;
+    }
   }
+  mesh_.points.push_back(point);
   ++vertices_.count;
   if (!scan_.at_line_end() && !read_vertex_extras()) return false;
   return scan_.end_line();
@@ -194,6 +199,7 @@ bool ObjReader::read_face() {
     mesh_.face_offsets.reserve(1 + kSample + more);
     mesh_.face_vertices.reserve(mesh_.face_vertices.size() * (1 + more / kSample));
   }
+  if (read_plain_face()) return true;
   while (!scan_.at_line_end()) {
     const char* corner = scan_.at();
     if (std::uint64_t number = 0; scan_.plain_index(number)) {
@@ -223,6 +229,22 @@ bool ObjReader::read_face() {
   mesh_.face_offsets.push_back(static_cast<Index>(mesh_.face_vertices.size()));
   ++faces_.count;
   return scan_.end_line();
+}
+
+// A face that is vertices and nothing else, in the usual way. False, and nothing is read, for
+// others.
+bool ObjReader::read_plain_face() {
+  std::array<PlainIndex, 4> corners;
+  const std::size_t count = scan_.plain_indices(corners);
+  if (count == 0 || mesh_.face_vertices.size() + count >= kNone) return false;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Index vertex = corners[k].number - 1;
+    vertices_.name_it(vertex, corners[k].place);
+    mesh_.face_vertices.push_back(vertex);
+  }
+  mesh_.face_offsets.push_back(static_cast<Index>(mesh_.face_vertices.size()));
+  ++faces_.count;
+  return true;
 }
 
 // `/vt`, `//vn`, `/vt/vn` behind a vertex; `/` and `//` with nothing behind are accepted.

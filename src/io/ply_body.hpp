@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -97,15 +98,20 @@ class PlyBytes {
     return scan_.fail_at_byte(code, std::move(message), place);
   }
 
-  /// Reads rows of single values column by column, a block that fits the cache at a time. Sizes
-  /// were checked before. False, and nothing is consumed, if a value is not finite.
-  [[nodiscard]] bool gather(const PlyElement& element, const std::vector<Column>& columns) {
+  /// Reads rows of single values column by column, a block that fits the cache at a time. Before
+  /// each, grow(rows) is told how many rows the columns must have room for; so that memory which
+  /// has to be cleared is written to while it is near. Sizes were checked before. False, and
+  /// nothing is consumed, if a value is not finite.
+  template <class Grow>
+  [[nodiscard]] bool gather(const PlyElement& element, const std::vector<Column>& columns,
+                            Grow&& grow) {
     constexpr std::size_t kBlock = 512;
     std::size_t stride = 0;
     for (const PlyProperty& property : element.properties) stride += size_of(property.type);
     const auto rows = static_cast<std::size_t>(element.count);
     for (std::size_t first = 0; first < rows; first += kBlock) {
       const std::size_t count = std::min(kBlock, rows - first);
+      grow(first + count);
       const char* from = at() + first * stride;
       for (std::size_t k = 0; k < columns.size(); ++k) {
         double* to = columns[k].to + first * columns[k].stride;
@@ -139,41 +145,71 @@ class PlyBytes {
   template <class T>
   static bool copy_column(const char* from, std::size_t from_stride, std::size_t count, double* to,
                           std::size_t to_stride) {
-    double sum = 0;  // of zeros, unless a value is NaN or infinite
+    bool finite = true;
     for (std::size_t row = 0; row < count; ++row) {
       const auto value = static_cast<double>(load<T, kSwapped>(from + row * from_stride));
       to[row * to_stride] = value;
-      sum += value * 0.0;
+      finite &= std::abs(value) <= std::numeric_limits<double>::max();
     }
-    return sum == 0;
+    return finite;
   }
 
-  // Negative numbers count as large ones, which are out of range as well.
   template <class Length>
   bool copy_lists(std::uint64_t rows, std::uint64_t limit, std::vector<Index>& values,
                   std::vector<Index>& offsets) {
+    constexpr std::uint64_t kBlock = 1024;
     const char* p = at();
-    const char* end = p + left();
-    for (std::uint64_t row = 0; row < rows; ++row) {
-      if (static_cast<std::size_t>(end - p) < sizeof(Length)) return false;
-      const std::size_t count = load<Length, kSwapped>(p);
-      p += sizeof(Length);
-      const std::size_t first = values.size();
-      if (count == 0 || static_cast<std::size_t>(end - p) / sizeof(Index) < count ||
-          first + count >= kNone) {
-        return false;
-      }
-      values.resize(first + count);
-      Index largest = 0;
-      for (std::size_t k = 0; k < count; ++k, p += sizeof(Index)) {
-        values[first + k] = load<Index, kSwapped>(p);
-        largest = std::max(largest, values[first + k]);
-      }
-      if (largest >= limit) return false;
-      offsets.push_back(static_cast<Index>(values.size()));
+    for (std::uint64_t row = 0; row < rows; row += kBlock) {
+      const auto count = static_cast<std::size_t>(std::min(kBlock, rows - row));
+      if (!copy_block<Length>(p, count, limit, values, offsets)) return false;
     }
     scan_.move_to(p);
     return true;
+  }
+
+  // The rows from p on, which moves behind them. Room is made for all of them at once, as if they
+  // were like the first, but for no more than was reserved. Negative numbers count as large ones,
+  // which are out of range as well.
+  template <class Length>
+  bool copy_block(const char*& p, std::size_t rows, std::uint64_t limit, std::vector<Index>& values,
+                  std::vector<Index>& offsets) {
+    const char* end = at() + left();
+    const auto has = [&](std::size_t count, std::size_t size) {
+      return static_cast<std::size_t>(end - p) / size >= count;
+    };
+    if (!has(1, sizeof(Length))) return false;
+    constexpr std::size_t kUsualLength = 4;
+    std::size_t used = values.size();
+    const std::size_t first_row = offsets.size();
+    const std::size_t length = std::min<std::size_t>(load<Length, kSwapped>(p), kUsualLength);
+    values.resize(std::min(used + rows * length, values.capacity()));
+    offsets.resize(first_row + rows);
+    Index largest = 0;
+    for (std::size_t row = first_row; row < first_row + rows; ++row) {
+      if (!has(1, sizeof(Length))) return false;
+      const std::size_t count = load<Length, kSwapped>(p);
+      p += sizeof(Length);
+      if (count == 0 || !has(count, sizeof(Index)) || used + count >= kNone) return false;
+      if (values.size() < used + count) values.resize(used + count);
+      Index* to = values.data() + used;
+      largest = std::max(largest, count == 3 ? copy_list<3>(p, 3, to) : copy_list<0>(p, count, to));
+      p += count * sizeof(Index);
+      used += count;
+      offsets[row] = static_cast<Index>(used);
+    }
+    values.resize(used);
+    return largest < limit;
+  }
+
+  // The largest of `count` numbers, which are copied; a constant kCount says it for the compiler.
+  template <std::size_t kCount>
+  static Index copy_list(const char* from, std::size_t count, Index* to) {
+    Index largest = 0;
+    for (std::size_t k = 0; k < (kCount != 0 ? kCount : count); ++k) {
+      to[k] = load<Index, kSwapped>(from + k * sizeof(Index));
+      largest = std::max(largest, to[k]);
+    }
+    return largest;
   }
 
   Scanner& scan_;

@@ -117,9 +117,10 @@ bool PlyReader<Source>::read_vertices(const PlyElement& element) {
     if (!require(element, axis, false)) return false;
   }
   const auto count = static_cast<std::size_t>(element.count);
-  mesh_.points.resize(count);
+  mesh_.points.reserve(count);  // and grows while it is read
+  mesh_.points.resize(1);
   std::vector<Column> columns(element.properties.size());
-  const std::span<double> positions = flat(std::span<Point>(mesh_.points));
+  const std::span<double> positions(mesh_.points.front().data(), 3 * count);
   columns[*element.find("x")] = column_of(positions, 0, 3);
   columns[*element.find("y")] = column_of(positions, 1, 3);
   columns[*element.find("z")] = column_of(positions, 2, 3);
@@ -148,11 +149,13 @@ bool PlyReader<Source>::read_points(const PlyElement& element, const std::vector
   if constexpr (Source::kBinary) {
     const char* start = source_.at();
     const auto negative = [](double value) { return value < 0; };
-    if (no_lists && source_.gather(element, columns)) {
+    const auto grow = [&](std::size_t rows) { mesh_.points.resize(rows); };
+    if (no_lists && source_.gather(element, columns, grow)) {
       if (std::none_of(sharpness.begin(), sharpness.end(), negative)) return true;
     }
     scan_.move_to(start);  // row by row the offending value is found
   }
+  mesh_.points.resize(static_cast<std::size_t>(element.count));
   return read_rows(
       source_, element, columns,
       [&](std::size_t k, std::size_t length) { return skip_list(element.properties[k], length); },

@@ -4,6 +4,7 @@
 
 #include <surpass/result.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,12 @@
 #include "io/digits.hpp"
 
 namespace surpass::io {
+
+/// A whole number from 1 on, and its first digit.
+struct PlainIndex {
+  std::uint32_t number;
+  const char* place;
+};
 
 /// Lines end with LF, CR LF or CR. Functions that return bool return false after `fail`, which
 /// keeps the error for the caller at the top; on the way up nothing is left to do but to return.
@@ -123,6 +130,39 @@ class Scanner {
     value = few.value;
     at_ += few.count;
     return true;
+  }
+  /// What nearly every point is: plain decimals, one blank before each. False, and nothing is
+  /// moved, for all else.
+  template <std::size_t kCount>
+  [[nodiscard]] bool plain_decimals(std::array<double, kCount>& values) {
+    if (left() <= kCount * kDigitsWindow) return false;
+    const char* p = at_;
+    for (double& value : values) {
+      if (*p++ != ' ' || !plain_decimal(p, value)) return false;
+    }
+    if (!ends_word(p)) return false;
+    at_ = p;
+    return true;
+  }
+  /// What nearly every face is: plain indices, one blank before each, and the line end, behind
+  /// which this moves. How many, at most kMost; 0, and nothing is moved, for all else.
+  template <std::size_t kMost>
+  [[nodiscard]] std::size_t plain_indices(std::array<PlainIndex, kMost>& indices) {
+    if (left() <= kMost * kDigitsWindow) return 0;
+    const char* p = at_;
+    for (std::size_t count = 0; count < kMost;) {
+      if (*p++ != ' ') return 0;
+      const Digits few = eight_digits(p);
+      if (few.count == 8 || few.value == 0) return 0;
+      indices[count++] = {static_cast<std::uint32_t>(few.value), p};
+      p += few.count;
+      if (*p == ' ') continue;
+      if (*p == '\r') ++p;
+      if (*p != '\n') return 0;
+      at_ = p + 1;
+      return count;
+    }
+    return 0;
   }
   /// A number without sign and fraction.
   [[nodiscard]] bool whole(std::uint64_t& value, const char* what);
