@@ -85,10 +85,11 @@ bool is_sound(std::span<const Index> face, std::size_t vertex_count) {
   return false;
 }
 
-// Checks the faces, copies them and counts corners in one pass.
+// Checks the faces, copies them and counts corners in one pass. `rank` is filled with how many
+// corners came before each at its vertex.
 template <class Faces>
 std::optional<Error> take_faces(const Mesh& mesh, const Faces& faces, Index* face_vertices,
-                                Index* corners_at) {
+                                Index* corners_at, Index* rank) {
   refusal::FaceCheck check(mesh);
   const std::size_t vertex_count = mesh.points.size();
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -100,17 +101,18 @@ std::optional<Error> take_faces(const Mesh& mesh, const Faces& faces, Index* fac
     }
     for (std::size_t k = 0; k < face.size(); ++k) {
       face_vertices[begin + k] = face[k];
-      ++corners_at[face[k]];
+      rank[begin + k] = corners_at[face[k]]++;
     }
   }
   return std::nullopt;
 }
 
-// Sorts corners by their vertex, ascending at each. `next` holds where each vertex starts, and
-// afterwards where it ends.
-void sort_corners(std::span<const Index> face_vertices, Index* next, Index* corners) {
+// Sorts corners by their vertex, ascending at each. Thanks to the ranks no place depends on what
+// was just written, so that several are found at a time.
+void sort_corners(std::span<const Index> face_vertices, const Index* start, const Index* rank,
+                  Index* corners) {
   for (std::size_t h = 0; h < face_vertices.size(); ++h) {
-    corners[next[face_vertices[h]]++] = static_cast<Index>(h);
+    corners[start[face_vertices[h]] + rank[h]] = static_cast<Index>(h);
   }
   std::fill_n(corners + face_vertices.size(), kAhead, 0);
 }
@@ -265,13 +267,12 @@ class Topology::FanMatching {
 
 template <class Faces>
 Result<void> Topology::match(const Mesh& mesh, const Faces& faces) {
-  // Vertex v starts at start_[v + 1] while its corners are sorted, and at start_[v] afterwards.
-  Index* const next = start_.get() + 1;
-  if (auto error = take_faces(mesh, faces, face_vertices_.get(), next + 1)) {
+  Index* const rank = opposite_.get();  // while nothing else is known that belongs there
+  if (auto error = take_faces(mesh, faces, face_vertices_.get(), start_.get() + 1, rank)) {
     return tl::make_unexpected(*std::move(error));
   }
-  std::partial_sum(next, next + vertex_count_, next);
-  sort_corners({face_vertices_.get(), corner_count_}, next, around_.get());
+  std::partial_sum(start_.get(), start_.get() + vertex_count_ + 1, start_.get());
+  sort_corners({face_vertices_.get(), corner_count_}, start_.get(), rank, around_.get());
   FanMatching matching(faces, *this);
   for (Index v = 0; v < vertex_count_; ++v) {
     const std::span<Index> corners(around_.get() + start_[v], start_[v + 1] - start_[v]);
@@ -290,7 +291,7 @@ Result<Topology> Topology::build(const Mesh& mesh) {
   t.corner_count_ = mesh.corner_count();
   t.face_vertices_.reset(new Index[t.corner_count_]);
   t.opposite_.reset(new Index[t.corner_count_]);
-  t.start_.reset(new Index[std::size_t{t.vertex_count_} + 2]());
+  t.start_.reset(new Index[std::size_t{t.vertex_count_} + 1]());
   t.around_.reset(new Index[t.corner_count_ + kAhead]);
   t.kinds_.reset(new unsigned char[t.vertex_count_]());
   t.common_degree_ = degree_of_all_faces(mesh);
