@@ -33,7 +33,7 @@ RowFacts facts_of(const LoopRing& ring, const std::vector<double>& mask) {
 }
 
 // The row of a plain vertex and what is known of it, by valence, so that no cosine is taken a
-// million times.
+// million times. Plain vertices have as many neighbours as faces.
 struct PlainRow {
   double own = 1;
   double neighbour = 0;
@@ -41,7 +41,7 @@ struct PlainRow {
 };
 std::vector<PlainRow> plain_rows(const Topology& topology) {
   Index most = 0;
-  for (Index v = 0; v < topology.vertex_count(); ++v) most = std::max(most, topology.valence(v));
+  for (Index v = 0; v < topology.vertex_count(); ++v) most = std::max(most, topology.faces_at(v));
   std::vector<PlainRow> rows(std::size_t{most} + 1);
   for (std::size_t n = 1; n < rows.size(); ++n) {
     const double own = beta(n);
@@ -72,13 +72,13 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
       context, n,
       [&](Index v) -> Index {
         if (topology.is_isolated(v)) return 1;
-        return sharpness->is_plain(v) ? topology.valence(v) + 1 : used(special_mask(v));
+        return sharpness->is_plain(v) ? topology.faces_at(v) + 1 : used(special_mask(v));
       },
-      [&](Index v, std::span<Index> columns, std::span<double> weights) {
+      [&](Index v, std::span<Index> columns, std::span<double> weights) -> Index {
         if (topology.is_isolated(v)) {
           columns[0] = v;
           weights[0] = 1;
-          return;
+          return kNone;
         }
         if (sharpness->is_plain(v)) {
           const PlainRow& row = plain[columns.size() - 1];
@@ -88,7 +88,7 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
           topology.for_each_outgoing(v, [&](Index h) { columns[k++] = topology.head(h); });
           std::fill(weights.begin() + 1, weights.end(), row.neighbour);
           op.note(v, row.facts);
-          return;
+          return static_cast<Index>(columns.size());
         }
         const LoopRing ring = LoopRing::around(topology, *sharpness, rules.boundary, v);
         const std::vector<double> mask = limit_mask(ring);
@@ -99,6 +99,7 @@ Result<LimitOperator> Loop::limit_operator(const Mesh& mesh, const Topology& top
           weights[k++] = mask[i];
         }
         op.note(v, facts_of(ring, mask));
+        return kNone;
       });
   return op;
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,8 @@ class SparseRows {
   }
 
   /// Builds n rows in two passes: length(i), then fill(i, columns, weights) with spans that long.
+  /// It may return a number, kNone or a small one: rows with the same small number have the same
+  /// weights and are not compared.
   template <class Length, class Fill>
   static SparseRows build(const Context& context, Index n, Length&& length, Fill&& fill);
 
@@ -109,12 +112,25 @@ SparseRows SparseRows::build(const Context& context, Index n, Length&& length, F
   parallel::for_ranges(context, n, [&](std::size_t begin, std::size_t end) {
     WeightLists lists;
     std::vector<double> weights;
+    std::vector<Index> known;  // lists, by the numbers that `fill` has for them
     for (std::size_t k = begin; k < end; ++k) {
       const auto i = static_cast<Index>(k);
       weights.resize(rows.row_length(i));
-      fill(i, std::span(rows.columns_.data() + rows.rows_[i].columns, weights.size()),
-           std::span(weights));
+      const std::span<Index> columns(rows.columns_.data() + rows.rows_[i].columns, weights.size());
+      Index alike = kNone;
+      if constexpr (std::is_void_v<decltype(fill(i, columns, std::span(weights)))>) {
+        fill(i, columns, std::span(weights));
+      } else {
+        alike = fill(i, columns, std::span(weights));
+      }
+      if (alike < known.size() && known[alike] != kNone) {
+        rows.rows_[i].weights = known[alike];
+        continue;
+      }
       rows.rows_[i].weights = lists.number_of(weights);
+      if (alike == kNone) continue;
+      if (alike >= known.size()) known.resize(std::size_t{alike} + 1, kNone);
+      known[alike] = rows.rows_[i].weights;
     }
     parts[begin / parallel::kChunk] = std::move(lists);
   });
