@@ -12,9 +12,9 @@
 namespace surpass {
 
 /// Rows in breadth-first levels: each reads only its own level, the one before and the one after,
-/// so a sweep can follow another at a distance of one level (see wavefront.hpp). Inside a level,
-/// rows with equal weights lie side by side: such a run shares one list of weights, and its columns
-/// are all that has to be read of the operator.
+/// so a sweep can follow another at a distance of one level (see wavefront.hpp). Inside a level, or
+/// a piece of a large one, rows with equal weights lie side by side: such a run shares one list of
+/// weights, and its columns are all that has to be read of the operator.
 struct OrderedRows {
   struct Run {
     Index begin;  ///< rows begin .. end
