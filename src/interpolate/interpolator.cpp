@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "interpolate/choose_solver.hpp"
 #include "interpolate/stages.hpp"
 #include "mesh/common_part.hpp"
+#include "parallel/parallel.hpp"
 #include "scheme/limit_points.hpp"
 
 namespace surpass {
@@ -54,11 +56,15 @@ Result<void> require_size(std::size_t points, const LimitOperator& op) {
                                                points, op.rows.row_count()));
 }
 
-Result<void> require_finite(std::span<const double> values, std::size_t width, const char* what) {
+bool all_finite(std::span<const double> values) {
   std::uint64_t others = 0;  // without a branch, several numbers at a time
   for (const double v : values)
     others |= std::abs(v) <= std::numeric_limits<double>::max() ? 0U : 1U;
-  if (others == 0) return {};
+  return others == 0;
+}
+
+Result<void> require_finite(std::span<const double> values, std::size_t width, const char* what) {
+  if (all_finite(values)) return {};
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) continue;
     return fail(ErrorCode::not_finite, fmt::format("{} is not a finite number", what),
@@ -72,23 +78,43 @@ struct Start {
   Box box;
 };
 
-// A copy of the points, checked and measured. Done piece by piece, so that memory is read once.
-Result<Start> start_from(std::span<const Point> points) {
+// Their box, or nothing if one is not finite. Calls use(piece) for some of them at a time, while
+// they are near.
+template <class Use>
+std::optional<Box> box_of_finite(std::span<const Point> points, Use&& use) {
   constexpr std::size_t kPiece = 1024;
-  Start start{{}, bounding_box(points.first(std::min<std::size_t>(1, points.size())))};
-  start.points.reserve(points.size());
+  Box all = bounding_box(points.first(std::min<std::size_t>(1, points.size())));
   for (std::size_t i = 0; i < points.size(); i += kPiece) {
     const auto piece = points.subspan(i, std::min(kPiece, points.size() - i));
-    if (!require_finite(flat(piece), 3, "a coordinate")) {
-      return tl::make_unexpected(require_finite(flat(points), 3, "a coordinate").error());
-    }
+    if (!all_finite(flat(piece))) return std::nullopt;
     const Box box = bounding_box(piece);
     for (std::size_t k = 0; k < 3; ++k) {
-      start.box.low[k] = std::min(start.box.low[k], box.low[k]);
-      start.box.high[k] = std::max(start.box.high[k], box.high[k]);
+      all.low[k] = std::min(all.low[k], box.low[k]);
+      all.high[k] = std::max(all.high[k], box.high[k]);
     }
-    start.points.insert(start.points.end(), piece.begin(), piece.end());
+    use(piece);
   }
+  return all;
+}
+
+// A copy of the points, checked and measured: piece by piece, so that memory is read once, or where
+// there are many and two threads, beside each other.
+Result<Start> start_from(std::span<const Point> points, const Context& context) {
+  constexpr std::size_t kPointsToShare = 65536;
+  Start start;
+  start.points.reserve(points.size());
+  const auto copy = [&](std::span<const Point> piece) {
+    start.points.insert(start.points.end(), piece.begin(), piece.end());
+  };
+  std::optional<Box> box;
+  if (points.size() < kPointsToShare || parallel::thread_count(context) == 1) {
+    box = box_of_finite(points, copy);
+  } else {
+    parallel::run_beside(
+        context, [&] { copy(points); }, [&] { box = box_of_finite(points, [](const auto&) {}); });
+  }
+  if (!box) return tl::make_unexpected(require_finite(flat(points), 3, "a coordinate").error());
+  start.box = *box;
   return start;
 }
 
@@ -245,7 +271,7 @@ Result<Solution> Interpolator::solve(std::span<const Point> points,
     return tl::make_unexpected(ok.error());
   }
   const std::size_t n = points.size();
-  auto start = start_from(points);
+  auto start = start_from(points, context);
   if (!start) return tl::make_unexpected(start.error());
   const Box box = start->box;
   const auto unit = unit_of(box);
@@ -342,13 +368,37 @@ double floored_tolerance(double tolerance, std::span<const double> values, doubl
   return std::max(tolerance, 4 * ulp / unit);
 }
 
+namespace {
+
+// All but what the solution brings. All members are named, so that no new one is forgotten.
+Mesh without_solution(const Mesh& mesh) {
+  const auto& [points, face_offsets, face_vertices, creases, corners, hole_faces, channels,
+               corner_channels, face_channels, face_sets, material_libraries, tags, annotations] =
+      mesh;
+  return {{},
+          face_offsets,
+          face_vertices,
+          creases,
+          corners,
+          hole_faces,
+          {},
+          corner_channels,
+          face_channels,
+          face_sets,
+          material_libraries,
+          tags,
+          annotations};
+}
+
+}  // namespace
+
 Result<Interpolated> interpolate(const Mesh& mesh, const InterpolateOptions& options,
                                  const Context& context) {
   const auto solver = Interpolator::create(mesh, options, context);
   if (!solver) return tl::make_unexpected(solver.error());
   auto solution = solver->solve(mesh.points, mesh.channels, context);
   if (!solution) return tl::make_unexpected(solution.error());
-  Interpolated result{mesh, std::move(solution->report)};
+  Interpolated result{without_solution(mesh), std::move(solution->report)};
   result.control.points = std::move(solution->points);
   result.control.channels = std::move(solution->channels);
   result.control.forget("refined");
