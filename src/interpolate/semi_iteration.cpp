@@ -19,6 +19,13 @@ SemiIteration SemiIteration::chebyshev(double lowest) {
   return c;
 }
 
+// The recurrence is the same, U_1 is twice T_1.
+SemiIteration SemiIteration::chebyshev_of_second_kind(double lowest) {
+  SemiIteration c = chebyshev(lowest);
+  c.rho_ /= 2;
+  return c;
+}
+
 void SemiIteration::advance() {
   if (half_width_ == 0) return;
   const double rho = 1 / (2 * sigma_ - rho_);
