@@ -37,8 +37,8 @@ Evaluations of the limit that the surface takes, plus those of the boundary curv
 vertex is within a tolerance of 1e-3 / 1e-6 / 1e-12 of the box side: `surpass interpolate --scheme ...
 --solver ... --tolerance ... --history` (which tests after every sweep), boundary rule
 `edge-and-corner`. PI is the paper's progressive interpolation (`richardson`), Chebyshev runs on
-[lo, 1] with lo the larger one of the proven bound and of 0.83 times the mean of the rows' bounds, CG in
-the inner product that makes the operator symmetric. `{refused}`: refused (Suzanne has interior vertices of two faces,
+[lo, 1] with lo the larger one of the proven bound and of 0.83 times the mean of the rows' bounds (0.8
+times where none is proven), CG in the inner product that makes the operator symmetric. `{refused}`: refused (Suzanne has interior vertices of two faces,
 which CG does not take, and whose quads cannot be cut without a third face at an edge). For Loop
 surfaces polygons are cut into triangles. Made by `make papers`.
 """
