@@ -31,31 +31,45 @@ struct CrossKind {
   std::vector<Row> rows;
   std::vector<unsigned> column;  ///< of row r: column[begin] to column[end - 1]
   std::vector<double> weight;    ///< as many
+  std::vector<double> square;    ///< as many: of the weights divided by the row's scale
   /// A regular patch three samples along its side, of which two sides belong to its neighbours: the
   /// rows are found by one refinement, then differences, with a third of the operations.
   bool is_regular = false;
+  /// Faces of a star of such patches, for which the same holds, or 0.
+  std::size_t star = 0;
 
   explicit CrossKind(const PatchKind& kind);
+
+  /// Fine points of a star.
+  [[nodiscard]] std::size_t fine_points() const;
+  /// What the functions below need besides.
+  [[nodiscard]] std::size_t work_size() const { return 3 * fine_points(); }
+
+ private:
+  bool add_star(const PatchKind& kind);
+  void add(const PatchKind& kind, std::size_t row, double scale);
 };
 
-// Points, #columns, hold a patch in every lane; lanes without one are 0.
+// Points, #columns, hold a patch in every lane; lanes without one are 0. `laws`, #rows, are for the
+// functions' own scale, as scaled_laws() makes them. `work` has work_size() places.
 
 /// squares, #rows: g.g.
-void squares_of_patches(const CrossKind& kind, const LaneVectors* reference, LaneNumbers* squares);
+void squares_of_patches(const CrossKind& kind, const LaneVectors* reference, LaneNumbers* squares,
+                        LaneVectors* work);
 
 /// sums, #columns: the gradient at x of half the sum over rows of weight times |g x q|^2, q the
-/// derivative of x. `laws`, #rows, are for the functions' own scale, as scaled_laws() makes them.
+/// derivative of x.
 void gradient_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
-                         const LaneVectors* x, LaneVectors* sums);
+                         const LaneVectors* x, LaneVectors* sums, LaneVectors* work);
 
 /// The upper triangle of a block of 3, row after row.
 struct LaneBlock {
   alignas(kLaneAlignment) double of[6][kLanes];
 };
 
-/// sums, #columns: the diagonal blocks of the same. `laws` are those of the derivatives themselves.
+/// sums, #columns: the diagonal blocks of the same.
 void diagonal_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
-                         LaneBlock* sums);
+                         LaneBlock* sums, LaneVectors* work);
 
 /// The same laws for derivatives divided by the kind's scales, as parts of the gradient.
 [[nodiscard]] std::vector<RowLaw> scaled_laws(const CrossKind& kind,

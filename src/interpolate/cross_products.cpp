@@ -45,32 +45,44 @@ class CrossProducts final : public PatchEnergy {
   CrossProducts(const PatchLayout& layout, std::span<const double> reference, RowWeights weights,
                 const Context& context);
 
-  void product(const Context& context, std::size_t width, std::span<const double> x,
-               std::span<double> y) const override;
+  double product(const Context& context, std::size_t width, std::span<const double> x,
+                 std::span<double> y) const override;
   [[nodiscard]] std::size_t block_size() const override { return 6; }
   [[nodiscard]] std::vector<double> diagonal(const Context& context) const override;
-  void for_blocks(std::size_t patch, const UseBlock& use) const override;
+  void for_blocks(std::size_t patch, std::span<const Index> columns,
+                  const UseBlock& use) const override;
 
  private:
   [[nodiscard]] Means means(const Context& context) const;
+  [[nodiscard]] const double* reference_of(const PatchLayout::Chunk& chunk) const {
+    return local_reference_.data() + kPointStride * chunk.start;
+  }
 
   const PatchLayout& layout_;
   std::span<const double> reference_;
+  std::vector<double> local_reference_;  // of the points of all chunks, kPointStride apart
   std::vector<CrossKind> kinds_;
   // Of each kind.
   std::vector<std::vector<RowLaw>> laws_;
   std::vector<std::vector<RowLaw>> scaled_laws_;
   std::size_t most_columns_ = 0;
   std::size_t most_rows_ = 0;
+  std::size_t most_places_ = 0;
 };
 
 CrossProducts::CrossProducts(const PatchLayout& layout, std::span<const double> reference,
                              RowWeights weights, const Context& context)
-    : layout_(layout), reference_(reference) {
+    : layout_(layout),
+      reference_(reference),
+      local_reference_(kPointStride * layout.point_count()) {
+  layout.for_chunks(context, [&](const PatchLayout::Chunk& chunk, std::size_t) {
+    chunk.copy_to(3, kPointStride, reference, &local_reference_[kPointStride * chunk.start]);
+  });
   for (const PatchKind& kind : layout.rows().kinds()) {
     kinds_.emplace_back(kind);
     most_columns_ = std::max(most_columns_, kinds_.back().columns);
     most_rows_ = std::max(most_rows_, kinds_.back().rows.size());
+    most_places_ = std::max(most_places_, kinds_.back().work_size());
   }
   const Means found = weights == RowWeights::none ? Means{} : means(context);
   for (const CrossKind& kind : kinds_) {
@@ -85,13 +97,14 @@ Means CrossProducts::means(const Context& context) const {
       context, Means{},
       [&](const PatchLayout::Chunk& chunk) {
         Means sums;
-        const auto reference = padded_points(chunk.points, reference_);
+        const double* const reference = reference_of(chunk);
         std::vector<LaneVectors> points(most_columns_);
         std::vector<LaneNumbers> squares(most_rows_);
-        layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
+        std::vector<LaneVectors> places(most_places_);
+        layout_.for_groups(chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
           const CrossKind& kind = kinds_[number];
-          gather_points(local, kind.columns, lanes, reference.data(), points.data());
-          squares_of_patches(kind, points.data(), squares.data());
+          gather_points(local, kind.columns, lanes, reference, points.data());
+          squares_of_patches(kind, points.data(), squares.data(), places.data());
           for (std::size_t r = 0; r < kind.rows.size(); ++r) {
             const CrossKind::Row& row = kind.rows[r];
             double sum = 0;
@@ -111,54 +124,57 @@ Means CrossProducts::means(const Context& context) const {
       });
 }
 
-void CrossProducts::product(const Context& context, std::size_t, std::span<const double> x,
-                            std::span<double> y) const {
-  layout_.add_up(context, 3, y, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto reference = padded_points(chunk.points, reference_);
-    const auto own = padded_points(chunk.points, x);
-    std::vector<double> gradient(own.size());
+double CrossProducts::product(const Context& context, std::size_t, std::span<const double> x,
+                              std::span<double> y) const {
+  const auto work = [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
+    const double* const reference = reference_of(chunk);
+    const auto own = chunk.copy(3, kPointStride, x);
     std::vector<LaneVectors> at_reference(most_columns_);
     std::vector<LaneVectors> at_x(most_columns_);
     std::vector<LaneVectors> sums(most_columns_);
-    layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
+    std::vector<LaneVectors> places(most_places_);
+    layout_.for_groups(chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
       const CrossKind& kind = kinds_[number];
-      gather_points(local, kind.columns, lanes, reference.data(), at_reference.data());
+      gather_points(local, kind.columns, lanes, reference, at_reference.data());
       gather_points(local, kind.columns, lanes, own.data(), at_x.data());
       gradient_of_patches(kind, scaled_laws_[number].data(), at_reference.data(), at_x.data(),
-                          sums.data());
-      scatter_points(local, kind.columns, lanes, sums.data(), gradient.data());
+                          sums.data(), places.data());
+      scatter_points(local, kind.columns, lanes, sums.data(), values.data());
     });
-    for (std::size_t k = 0; k < chunk.points.size(); ++k) {
-      copy_numbers(&gradient[kPointStride * k], 3, &values[3 * k]);
-    }
-  });
+    return dot_of_points(own, values);
+  };
+  return layout_.add_up(context, 3, kPointStride, y, work);
 }
 
 std::vector<double> CrossProducts::diagonal(const Context& context) const {
   std::vector<double> sum(std::size_t{6} * layout_.control_count());
-  layout_.add_up(context, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto reference = padded_points(chunk.points, reference_);
-    std::vector<LaneVectors> points(most_columns_);
-    std::vector<LaneBlock> sums(most_columns_);
-    layout_.for_groups(chunk, [&](Index number, const Index* local, std::size_t lanes) {
-      const CrossKind& kind = kinds_[number];
-      gather_points(local, kind.columns, lanes, reference.data(), points.data());
-      diagonal_of_patches(kind, laws_[number].data(), points.data(), sums.data());
-      for (std::size_t l = 0; l < lanes; ++l) {
-        for (std::size_t c = 0; c < kind.columns; ++c) {
-          double* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
-          for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
-        }
-      }
-    });
-  });
+  layout_.add_up(
+      context, 6, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
+        const double* const reference = reference_of(chunk);
+        std::vector<LaneVectors> points(most_columns_);
+        std::vector<LaneBlock> sums(most_columns_);
+        std::vector<LaneVectors> places(most_places_);
+        layout_.for_groups(chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
+          const CrossKind& kind = kinds_[number];
+          gather_points(local, kind.columns, lanes, reference, points.data());
+          diagonal_of_patches(kind, scaled_laws_[number].data(), points.data(), sums.data(),
+                              places.data());
+          for (std::size_t l = 0; l < lanes; ++l) {
+            for (std::size_t c = 0; c < kind.columns; ++c) {
+              double* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
+              for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
+            }
+          }
+        });
+        return 0;
+      });
   return sum;
 }
 
-void CrossProducts::for_blocks(std::size_t patch, const UseBlock& use) const {
+void CrossProducts::for_blocks(std::size_t patch, std::span<const Index> columns,
+                               const UseBlock& use) const {
   const Index number = layout_.rows().kind_number(patch);
   const CrossKind& kind = kinds_[number];
-  const auto columns = layout_.rows().columns(patch);
   const std::size_t n = kind.columns;
   std::vector<double> blocks(6 * n * n, 0.0);
   for (std::size_t r = 0; r < kind.rows.size(); ++r) {
@@ -183,7 +199,10 @@ void CrossProducts::for_blocks(std::size_t patch, const UseBlock& use) const {
       }
     }
   }
-  for (std::size_t k = 0; k < n * n; ++k) use(k / n, k % n, blocks.data() + 6 * k);
+  for (std::size_t k = 0; k < n * n; ++k) {
+    const double* block = blocks.data() + 6 * k;
+    if (std::any_of(block, block + 6, [](double b) { return b != 0; })) use(k / n, k % n, block);
+  }
 }
 
 }  // namespace

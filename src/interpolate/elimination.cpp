@@ -121,6 +121,31 @@ void meet_coupled(const CoupledRow& row, std::size_t width, std::span<const doub
 
 }  // namespace
 
+// Both loops below for three numbers a point, the case that matters: the sums stay in registers.
+
+void Elimination::meet_3(Index i, const double* own, std::span<double> x) const {
+  const auto columns = limits_.row_columns(i);
+  const auto weights = limits_.row_weights(i);
+  double rest[3] = {};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k] == dependent_[i]) continue;
+    const double* other = &x[std::size_t{3} * columns[k]];
+    for (std::size_t c = 0; c < 3; ++c) rest[c] -= weights[k] * (other[c] - own[c]);
+  }
+  double* to = &x[std::size_t{3} * dependent_[i]];
+  for (std::size_t c = 0; c < 3; ++c) to[c] = own[c] + rest[c] / pivot_[i];
+}
+
+void Elimination::restrict_3(std::size_t j, std::span<double> y) const {
+  double* to = &y[3 * j];
+  double sum[3] = {to[0], to[1], to[2]};
+  for (Index k = starts_[j]; k < starts_[j + 1]; ++k) {
+    const double* from = &y[std::size_t{3} * dependent_[givens_[k]]];
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += coefficients_[k] * from[c];
+  }
+  for (std::size_t c = 0; c < 3; ++c) to[c] = sum[c];
+}
+
 // A row's weights sum to one. So all can be said of differences to the row's own target, which far
 // from the origin are exact where the numbers themselves would be rounded.
 
@@ -136,6 +161,10 @@ void Elimination::meet(const Context& context, std::size_t width, std::span<cons
       double* to = &x[dependent_[i] * width];
       if (const CoupledRow* terms = coupled(row)) {
         meet_coupled(*terms, width, targets, own, x, to);
+        continue;
+      }
+      if (width == 3) {
+        meet_3(row, own, x);
         continue;
       }
       std::fill(rest.begin(), rest.end(), 0.0);
@@ -156,6 +185,10 @@ void Elimination::restrict_gradient(const Context& context, std::size_t width,
   // Free points read dependent ones only, so that nothing is read that is written.
   parallel::for_ranges(context, given_of_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
+      if (width == 3) {
+        restrict_3(j, y);
+        continue;
+      }
       for (Index k = starts_[j]; k < starts_[j + 1]; ++k) {
         const std::size_t from = dependent_[givens_[k]] * width;
         for (std::size_t c = 0; c < width; ++c) y[j * width + c] += coefficients_[k] * y[from + c];

@@ -60,6 +60,8 @@ class Elimination {
  private:
   [[nodiscard]] Result<void> couple(const std::vector<Index>& stuck);
   void find_dependents_of_free();
+  void meet_3(Index i, const double* own, std::span<double> x) const;
+  void restrict_3(std::size_t j, std::span<double> y) const;
   [[nodiscard]] const CoupledRow* coupled(Index i) const {
     return coupled_number_.empty() || coupled_number_[i] == kNone ? nullptr
                                                                   : &coupled_[coupled_number_[i]];

@@ -5,60 +5,95 @@
 namespace surpass {
 namespace {
 
-// Along the direction: the change, and the gradient by the direction's image. Back comes the
-// gradient's squared length. One pass over memory, as all that follows: the arrays are far larger
-// than any cache, and what is done with their numbers takes no time.
-double advance(const FreeSystem& system, double length, std::span<const double> direction,
-               std::span<const double> image, std::span<double> change,
-               std::span<double> gradient) {
+// Of a gradient: its squared length, and its product with the preconditioned one.
+struct Lengths {
+  double squared = 0;
+  double rho = 0;
+};
+
+// The arrays are far larger than any cache, and what is done with their numbers takes no time. So
+// each function is one pass over them, and the preconditioned gradient is computed where it is
+// needed: once for its length, once for the direction.
+
+// The gradient goes along the direction by that direction's image.
+Lengths descend(const FreeSystem& system, const FreePreconditioner& preconditioner, double length,
+                std::span<const double> image, std::span<double> gradient) {
+  const std::size_t width = system.width;
   return parallel::reduce(
-      system.context, change.size(), 0.0,
+      system.context, system.elimination.control_count(), Lengths{},
       [&](std::size_t begin, std::size_t end) {
-        double squared = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-          change[i] += length * direction[i];
-          gradient[i] += length * image[i];
-          squared += gradient[i] * gradient[i];
+        Lengths sums;
+        for (std::size_t j = begin; j < end; ++j) {
+          for (std::size_t c = j * width; c < (j + 1) * width; ++c) {
+            gradient[c] += length * image[c];
+          }
+          double squared = 0;
+          double rho = 0;
+          preconditioner.apply(j, gradient, [&](std::size_t c, double z) {
+            squared += gradient[c] * gradient[c];
+            rho += gradient[c] * z;
+          });
+          sums.squared += squared;
+          sums.rho += rho;
         }
-        return squared;
+        return sums;
       },
-      [](double sum, double part) { return sum + part; });
+      [](const Lengths& sum, const Lengths& part) {
+        return Lengths{sum.squared + part.squared, sum.rho + part.rho};
+      });
 }
 
-// direction = share * direction - downhill.
-void turn(const FreeSystem& system, double share, std::span<const double> downhill,
-          std::span<double> direction) {
-  parallel::for_ranges(system.context, direction.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) direction[i] = share * direction[i] - downhill[i];
+// x goes along the direction, which then becomes share times itself minus the preconditioned
+// gradient.
+void turn(const FreeSystem& system, const FreePreconditioner& preconditioner, double length,
+          double share, std::span<const double> gradient, std::span<double> direction,
+          std::span<double> x) {
+  parallel::for_ranges(system.context, system.elimination.control_count(),
+                       [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t j = begin; j < end; ++j) {
+                           preconditioner.apply(j, gradient, [&](std::size_t c, double z) {
+                             x[c] += length * direction[c];
+                             direction[c] = share * direction[c] - z;
+                           });
+                         }
+                       });
+}
+
+void move(const FreeSystem& system, double length, std::span<const double> direction,
+          std::span<double> x) {
+  parallel::for_ranges(system.context, x.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) x[i] += length * direction[i];
   });
 }
 
 }  // namespace
 
 FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
-                               std::span<double> gradient, std::span<double> change) {
+                               std::span<double> gradient, std::span<double> x) {
   if (system.constraints != nullptr) system.constraints->clear(gradient);
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
   const FreePreconditioner preconditioner(system);
   std::vector<double> direction(system.size());
-  std::vector<double> work(system.size());  // the direction's image, or the preconditioned gradient
-  double rho = preconditioner.apply(gradient, work);
-  turn(system, 0, work, direction);
+  std::vector<double> image(system.size());
+  double rho = descend(system, preconditioner, 0, image, gradient).rho;
+  turn(system, preconditioner, 0, 0, gradient, direction, x);
   while (rho > 0 && progress.goes_on()) {
-    system.product(direction, work);
-    const double curvature = system.dot(direction, work);
+    const double curvature = system.product(direction, image);
     if (!(curvature > 0)) break;  // nothing is left but what the energy does not see
-    double squared = advance(system, rho / curvature, direction, work, change, gradient);
+    const double length = rho / curvature;
+    Lengths now = descend(system, preconditioner, length, image, gradient);
     if (system.constraints != nullptr) {
       system.constraints->clear(gradient);
-      squared = system.dot(gradient, gradient);
+      now = descend(system, preconditioner, 0, image, gradient);
     }
-    progress.note(squared);
-    if (progress.reached()) break;
-    const double next = preconditioner.apply(gradient, work);
-    turn(system, next / rho, work, direction);
-    rho = next;
+    progress.note(now.squared);
+    if (progress.reached()) {
+      move(system, length, direction, x);
+      break;
+    }
+    turn(system, preconditioner, length, now.rho / rho, gradient, direction, x);
+    rho = now.rho;
   }
   return std::move(progress).outcome();
 }

@@ -36,9 +36,8 @@ class Assembly {
       entries.clear();
     };
     constexpr std::size_t kEntries = 20000000;
-    for (std::size_t p = 0; p < layout_.rows().patch_count(); ++p) {
-      const auto columns = layout_.rows().columns(p);
-      system_.energy.for_blocks(p, [&](std::size_t a, std::size_t b, const double* block) {
+    layout_.for_patches([&](Index p, std::span<const Index> columns) {
+      system_.energy.for_blocks(p, columns, [&](std::size_t a, std::size_t b, const double* block) {
         for (std::size_t i = 0; i < parts_; ++i) {
           for (std::size_t j = 0; j < parts_; ++j) {
             entries.emplace_back(number(columns[a], i), number(columns[b], j),
@@ -47,7 +46,7 @@ class Assembly {
         }
       });
       if (entries.size() > kEntries) flush();
-    }
+    });
     flush();
     return sum;
   }

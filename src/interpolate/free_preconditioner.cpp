@@ -3,37 +3,13 @@
 namespace surpass {
 
 FreePreconditioner::FreePreconditioner(const FreeSystem& system)
-    : system_(system),
+    : width_(system.width),
       block_(system.energy.block_size()),
       inverse_(system.energy.diagonal(system.context)) {
   parallel::for_ranges(system.context, system.elimination.control_count(),
                        [&](std::size_t begin, std::size_t end) {
                          for (std::size_t j = begin; j < end; ++j) invert(&inverse_[j * block_]);
                        });
-}
-
-double FreePreconditioner::apply(std::span<const double> r, std::span<double> z) const {
-  const std::size_t width = system_.width;
-  return parallel::reduce(
-      system_.context, system_.elimination.control_count(), 0.0,
-      [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t j = begin; j < end; ++j) {
-          const double* d = &inverse_[j * block_];
-          const double* from = &r[j * width];
-          double* to = &z[j * width];
-          if (block_ == 1) {
-            for (std::size_t c = 0; c < width; ++c) to[c] = d[0] * from[c];
-          } else {
-            to[0] = d[0] * from[0] + d[1] * from[1] + d[2] * from[2];
-            to[1] = d[1] * from[0] + d[3] * from[1] + d[4] * from[2];
-            to[2] = d[2] * from[0] + d[4] * from[1] + d[5] * from[2];
-          }
-          for (std::size_t c = 0; c < width; ++c) sum += from[c] * to[c];
-        }
-        return sum;
-      },
-      [](double sum, double part) { return sum + part; });
 }
 
 void FreePreconditioner::invert(double* d) const {

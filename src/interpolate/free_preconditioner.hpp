@@ -9,8 +9,22 @@ class FreePreconditioner {
  public:
   explicit FreePreconditioner(const FreeSystem& system);
 
-  /// z = the inverse blocks times r; back comes r.z.
-  double apply(std::span<const double> r, std::span<double> z) const;
+  /// use(i, z) for each number i of point j: z is that of the inverse block times those of r.
+  template <class Use>
+  void apply(std::size_t j, std::span<const double> r, Use&& use) const {
+    const std::size_t at = j * width_;
+    const double* d = &inverse_[j * block_];
+    if (block_ == 1) {
+      for (std::size_t i = at; i < at + width_; ++i) use(i, d[0] * r[i]);
+      return;
+    }
+    const double x = r[at];
+    const double y = r[at + 1];
+    const double z = r[at + 2];
+    use(at, d[0] * x + d[1] * y + d[2] * z);
+    use(at + 1, d[1] * x + d[3] * y + d[4] * z);
+    use(at + 2, d[2] * x + d[4] * y + d[5] * z);
+  }
 
   /// 1, or 6: as PatchEnergy::block_size().
   [[nodiscard]] std::size_t block_size() const { return block_; }
@@ -21,7 +35,7 @@ class FreePreconditioner {
  private:
   void invert(double* d) const;
 
-  const FreeSystem& system_;
+  std::size_t width_;
   std::size_t block_;
   std::vector<double> inverse_;
 };

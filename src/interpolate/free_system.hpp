@@ -24,11 +24,13 @@ struct FreeSystem {
   const LinearConstraints* constraints = nullptr;
 
   [[nodiscard]] std::size_t size() const { return elimination.control_count() * width; }
-  /// y = the change of the gradient that goes with the change x, which is extended first.
-  void product(std::span<double> x, std::span<double> y) const {
+  /// y = the change of the gradient that goes with the change x, which is extended first. Back
+  /// comes x.y.
+  double product(std::span<double> x, std::span<double> y) const {
     elimination.meet(context, width, {}, x);
-    energy.product(context, width, x, y);
+    const double curvature = energy.product(context, width, x, y);
     elimination.restrict_gradient(context, width, y);
+    return curvature;
   }
   [[nodiscard]] double dot(std::span<const double> a, std::span<const double> b) const {
     return parallel::reduce(
@@ -54,17 +56,17 @@ struct FreeOutcome {
   [[nodiscard]] double residual() const { return residuals.empty() ? 1 : residuals.back(); }
 };
 
-/// Brings `change` (extended; starts and ends so) to where the gradient vanishes; `gradient` is
-/// that at the start and is overwritten. Points that no derivative sees stay. Conjugate gradients,
+/// Brings `x` to where the gradient vanishes by a change that is extended; `gradient` is that at
+/// the start and is overwritten. Points that no derivative sees stay. Conjugate gradients,
 /// preconditioned by the diagonal blocks of the energy. With constraints, where its part along them
 /// vanishes: Gould, Hribar, Nocedal, On the solution of equality constrained quadratic programming
 /// problems arising in optimization, 2001, algorithm 6.2.
 [[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
-                                             std::span<double> gradient, std::span<double> change);
+                                             std::span<double> gradient, std::span<double> x);
 
-/// The same by Gauss and Seidel's sweeps over the assembled matrix, on one thread (Lai and Cheng
-/// 2006, section 2.4). With constraints each sweep is projected onto them, and followed to where
-/// the energy is least along it (ours).
+/// The same for a change that starts at 0 (extended; ends so), by Gauss and Seidel's sweeps over
+/// the assembled matrix, on one thread (Lai and Cheng 2006, section 2.4). With constraints each
+/// sweep is projected onto them, and followed to where the energy is least along it (ours).
 [[nodiscard]] FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout,
                                        const StopAt& stop, std::span<double> gradient,
                                        std::span<double> change);

@@ -31,17 +31,18 @@ using Point4 [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
 }  // namespace
 
-std::vector<double> padded_points(std::span<const Index> indices, std::span<const double> numbers) {
-  std::vector<double> points(kPointStride * indices.size());
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    const double* from = numbers.data() + std::size_t{3} * indices[k];
-    for (std::size_t c = 0; c < 3; ++c) points[kPointStride * k + c] = from[c];
+double dot_of_points(std::span<const double> a, std::span<const double> b) {
+  double sums[4] = {};
+  std::size_t i = 0;
+  for (; i + 4 <= a.size(); i += 4) {
+    for (std::size_t k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
   }
-  return points;
+  for (; i < a.size(); ++i) sums[0] += a[i] * b[i];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 SURPASS_FOR_EACH_MACHINE("avx2", "default")
-void gather_points(const Index* local, std::size_t columns, std::size_t lanes, const double* x,
+void gather_points(const LocalIndex* local, std::size_t columns, std::size_t lanes, const double* x,
                    LaneVectors* points) {
   if (lanes < kLanes) {
     std::fill_n(points, columns, LaneVectors{});
@@ -55,7 +56,7 @@ void gather_points(const Index* local, std::size_t columns, std::size_t lanes, c
   for (std::size_t c = 0; c < columns; ++c) {
     double* to = points[c].of[0];
     for (std::size_t l = 0; l < kLanes; l += 4) {
-      const Index* at = local + l * columns + c;
+      const LocalIndex* at = local + l * columns + c;
       Point4 a = point_at(x + kPointStride * at[0]);
       Point4 b = point_at(x + kPointStride * at[columns]);
       Point4 p = point_at(x + kPointStride * at[2 * columns]);
@@ -69,7 +70,7 @@ void gather_points(const Index* local, std::size_t columns, std::size_t lanes, c
 }
 
 SURPASS_FOR_EACH_MACHINE("avx2", "default")
-void scatter_points(const Index* local, std::size_t columns, std::size_t lanes,
+void scatter_points(const LocalIndex* local, std::size_t columns, std::size_t lanes,
                     const LaneVectors* points, double* y) {
   for (std::size_t l = 0; l < kLanes; l += 4) {
     const std::size_t count = lanes > l ? std::min<std::size_t>(4, lanes - l) : 0;
@@ -88,7 +89,7 @@ void scatter_points(const Index* local, std::size_t columns, std::size_t lanes,
       Point4 p = point_at(from + 2 * kLanes + l);
       Point4 q = {};
       transpose(a, b, p, q);
-      const Index* at = local + l * columns + c;
+      const LocalIndex* at = local + l * columns + c;
       point_at(y + kPointStride * at[0]) += a;
       point_at(y + kPointStride * at[columns]) += b;
       point_at(y + kPointStride * at[2 * columns]) += p;

@@ -4,6 +4,8 @@
 
 #include <surpass/mesh.hpp>
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "interpolate/lanes.hpp"
@@ -12,17 +14,19 @@ namespace surpass {
 
 inline constexpr std::size_t kPointStride = 4;
 
-/// Those of `numbers` (by 3) with these indices.
-[[nodiscard]] std::vector<double> padded_points(std::span<const Index> indices,
-                                                std::span<const double> numbers);
+/// Of a point among those of a chunk of patches.
+using LocalIndex = std::uint16_t;
+
+/// a.b; four sums, so that none waits for the one before.
+[[nodiscard]] double dot_of_points(std::span<const double> a, std::span<const double> b);
 
 /// points[c], c < columns, has in lane l the point local[l * columns + c] of `x`. Lanes from
 /// `lanes` on are 0.
-void gather_points(const Index* local, std::size_t columns, std::size_t lanes, const double* x,
+void gather_points(const LocalIndex* local, std::size_t columns, std::size_t lanes, const double* x,
                    LaneVectors* points);
 
 /// Adds them, lane after lane, to those of `y`.
-void scatter_points(const Index* local, std::size_t columns, std::size_t lanes,
+void scatter_points(const LocalIndex* local, std::size_t columns, std::size_t lanes,
                     const LaneVectors* points, double* y);
 
 }  // namespace surpass

@@ -23,18 +23,20 @@ class PatchEnergy {
   PatchEnergy& operator=(const PatchEnergy&) = delete;
   virtual ~PatchEnergy() = default;
 
-  /// y = H x.
-  virtual void product(const Context& context, std::size_t width, std::span<const double> x,
-                       std::span<double> y) const = 0;
+  /// y = H x; back comes x'Hx, the sum over all columns.
+  virtual double product(const Context& context, std::size_t width, std::span<const double> x,
+                         std::span<double> y) const = 0;
   /// Numbers a diagonal block has: 1, the same for every right-hand side, or 6, the upper triangle
   /// of a 3 by 3 block, row after row (width is 3 then).
   [[nodiscard]] virtual std::size_t block_size() const = 0;
   /// #control points by block_size().
   [[nodiscard]] virtual std::vector<double> diagonal(const Context& context) const = 0;
-  /// Adds the patch's part of H: use(a, b, block) for each pair of its columns, with block_size()
-  /// numbers. For solvers that need H assembled.
+  /// Adds the patch's part of H: use(a, b, block) for each pair of its columns, of which it is
+  /// given the control points, with block_size() numbers; not for pairs that have nothing in
+  /// common. For solvers that need H assembled.
   using UseBlock = std::function<void(std::size_t a, std::size_t b, const double* block)>;
-  virtual void for_blocks(std::size_t patch, const UseBlock& use) const = 0;
+  virtual void for_blocks(std::size_t patch, std::span<const Index> columns,
+                          const UseBlock& use) const = 0;
 };
 
 /// Weight of a row in a sum of squares |row x|^2.

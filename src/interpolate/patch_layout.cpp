@@ -4,32 +4,44 @@ namespace surpass {
 
 PatchLayout::PatchLayout(PatchRows rows, std::vector<Index> order, Index control_points)
     : rows_(std::move(rows)), control_points_(control_points), order_(std::move(order)) {
+  cut();
   number_points();
+  rows_.forget_columns();
   share_points();
+}
+
+// Cuts the order into chunks, in each of which patches of a kind come together.
+void PatchLayout::cut() {
+  patches_ = {0};
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    columns += rows_.kind(order_[i]).columns;
+    if (columns < kColumns && i + 1 < order_.size()) continue;
+    std::stable_sort(order_.begin() + static_cast<std::ptrdiff_t>(patches_.back()),
+                     order_.begin() + static_cast<std::ptrdiff_t>(i + 1),
+                     [&](Index a, Index b) { return rows_.kind_number(a) < rows_.kind_number(b); });
+    patches_.push_back(i + 1);
+    columns = 0;
+  }
 }
 
 // The points of each chunk, in the order in which its patches meet them.
 void PatchLayout::number_points() {
-  const std::size_t patches = rows_.patch_count();
   local_.resize(rows_.column_count());
   points_.reserve(control_points_ + std::size_t{control_points_} / 3);  // about what grids need
   chunks_ = {0};
   std::vector<Index> number(control_points_, kNone);  // in the chunk at hand
   std::size_t at = 0;
-  for (std::size_t first = 0; first < patches; first += kPatches) {
-    const std::size_t last = std::min(patches, first + kPatches);
-    std::stable_sort(order_.begin() + static_cast<std::ptrdiff_t>(first),
-                     order_.begin() + static_cast<std::ptrdiff_t>(last),
-                     [&](Index a, Index b) { return rows_.kind_number(a) < rows_.kind_number(b); });
+  for (std::size_t c = 0; c + 1 < patches_.size(); ++c) {
     const std::size_t begin = points_.size();
     local_starts_.push_back(at);
-    for (std::size_t i = first; i < last; ++i) {
+    for (std::size_t i = patches_[c]; i < patches_[c + 1]; ++i) {
       for (const Index v : rows_.columns(order_[i])) {
         if (number[v] == kNone) {
           number[v] = static_cast<Index>(points_.size() - begin);
           points_.push_back(v);
         }
-        local_[at++] = number[v];
+        local_[at++] = static_cast<LocalIndex>(number[v]);
       }
     }
     for (std::size_t k = begin; k < points_.size(); ++k) number[points_[k]] = kNone;
@@ -71,7 +83,7 @@ void PatchLayout::share_points() {
     std::copy(sorted.begin(), sorted.end(), points.begin());
     shared_.push_back(of_shared.size());
     for (std::size_t k = local_starts_[c]; k < local_starts_[c + 1]; ++k) {
-      local_[k] = moved[local_[k]];
+      local_[k] = static_cast<LocalIndex>(moved[local_[k]]);
     }
   }
   occurs_.assign(several_.size() + 1, 0);

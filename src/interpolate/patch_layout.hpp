@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <vector>
 
-#include "interpolate/lanes.hpp"
+#include "interpolate/lane_points.hpp"
 #include "parallel/parallel.hpp"
 #include "scheme/patch_rows.hpp"
 
@@ -27,12 +28,17 @@ inline void copy_numbers(const double* from, std::size_t width, double* to) {
 
 class PatchLayout {
  public:
-  /// Patches a chunk.
-  static constexpr std::size_t kPatches = 2048;
+  /// A chunk ends with the patch with which it has so many columns. Its points are no more than
+  /// these and those of a patch, so that 16 bits number them.
+  static constexpr std::size_t kColumns = 32768;
+
+  /// Memory is asked for so many points ahead: where they lie looks random to the processor.
+  static constexpr std::size_t kAhead = 24;
 
   /// `order`: of the patches; chunks are cut from it.
   PatchLayout(PatchRows rows, std::vector<Index> order, Index control_points);
 
+  /// Without their columns.
   [[nodiscard]] const PatchRows& rows() const { return rows_; }
   [[nodiscard]] Index control_count() const { return control_points_; }
 
@@ -40,24 +46,34 @@ class PatchLayout {
   struct Chunk {
     std::span<const Index> patches;  ///< sorted by kind
     std::span<const Index> points;   ///< the control points that they need
-    const Index* local;  ///< for the columns of each patch in turn, numbers among the points
-    std::size_t own;     ///< so many of the points, the first ones, no other chunk needs
+    const LocalIndex* local;  ///< for the columns of each patch in turn, numbers among the points
+    std::size_t own;          ///< so many of the points, the first ones, no other chunk needs
+    std::size_t start;        ///< of its points among those of all chunks
 
-    /// The points' numbers (#control points by width) together.
-    [[nodiscard]] std::vector<double> copy(std::size_t width, std::span<const double> x) const {
-      std::vector<double> values(points.size() * width);
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        copy_numbers(x.data() + points[k] * width, width, values.data() + k * width);
-      }
+    /// The points' numbers (#control points by width) together, `stride` from one to the next.
+    [[nodiscard]] std::vector<double> copy(std::size_t width, std::size_t stride,
+                                           std::span<const double> x) const {
+      std::vector<double> values(points.size() * stride);
+      copy_to(width, stride, x, values.data());
       return values;
     }
+    void copy_to(std::size_t width, std::size_t stride, std::span<const double> x,
+                 double* values) const {
+      for (std::size_t k = 0; k < points.size(); ++k, values += stride) {
+        if (k + kAhead < points.size()) __builtin_prefetch(x.data() + points[k + kAhead] * width);
+        copy_numbers(x.data() + points[k] * width, width, values);
+      }
+    }
   };
+
+  /// The points of all chunks.
+  [[nodiscard]] std::size_t point_count() const { return points_.size(); }
 
   /// Calls body(kind's number, local, lanes) for groups of up to kLanes patches of one kind: patch
   /// l of the group has its columns at local + l * columns of the kind.
   template <class Body>
   void for_groups(const Chunk& chunk, Body&& body) const {
-    const Index* local = chunk.local;
+    const LocalIndex* local = chunk.local;
     for (std::size_t i = 0; i < chunk.patches.size();) {
       const Index kind = rows_.kind_number(chunk.patches[i]);
       std::size_t lanes = 1;
@@ -71,19 +87,28 @@ class PatchLayout {
     }
   }
 
-  /// y = the sum of what the chunks add up: work(chunk, values) finds `width` zeros for each of the
-  /// chunk's points and adds to them. y: #control points by width.
+  /// y = the sum of what the chunks add up: work(chunk, values) finds `stride` zeros for each of
+  /// the chunk's points, and adds to the first `width` of them. y: #control points by width. Back
+  /// comes the sum of the numbers that work returns.
   template <class Work>
-  void add_up(const Context& context, std::size_t width, std::span<double> y, Work&& work) const {
+  double add_up(const Context& context, std::size_t width, std::size_t stride, std::span<double> y,
+                Work&& work) const {
     const auto shared = std::make_unique_for_overwrite<double[]>(places_.size() * width);
+    std::vector<double> parts(chunks_.size() - 1);
     for_chunks(context, [&](const Chunk& chunk, std::size_t number) {
-      std::vector<double> values(chunk.points.size() * width, 0.0);
-      work(chunk, std::span(values));
-      for (std::size_t k = 0; k < chunk.own; ++k) {
-        copy_numbers(values.data() + k * width, width, y.data() + chunk.points[k] * width);
+      std::vector<double> values(chunk.points.size() * stride, 0.0);
+      parts[number] = work(chunk, std::span(values));
+      const double* from = values.data();
+      for (std::size_t k = 0; k < chunk.own; ++k, from += stride) {
+        if (k + kAhead < chunk.own) {
+          __builtin_prefetch(y.data() + chunk.points[k + kAhead] * width, 1);
+        }
+        copy_numbers(from, width, y.data() + chunk.points[k] * width);
       }
-      std::copy(values.begin() + static_cast<std::ptrdiff_t>(chunk.own * width), values.end(),
-                shared.get() + shared_[number] * width);
+      double* to = shared.get() + shared_[number] * width;
+      for (std::size_t k = chunk.own; k < chunk.points.size(); ++k, from += stride, to += width) {
+        copy_numbers(from, width, to);
+      }
     });
     parallel::for_ranges(context, several_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -95,23 +120,41 @@ class PatchLayout {
         }
       }
     });
+    return std::accumulate(parts.begin(), parts.end(), 0.0);
+  }
+
+  /// Calls use(patch, the control points of its columns), one patch after the other.
+  template <class Use>
+  void for_patches(Use&& use) const {
+    const Context one_thread{.threads = 1};
+    std::vector<Index> columns;
+    for_chunks(one_thread, [&](const Chunk& chunk, std::size_t) {
+      const LocalIndex* local = chunk.local;
+      for (const Index patch : chunk.patches) {
+        columns.clear();
+        for (std::size_t c = 0; c < rows_.kind(patch).columns; ++c) {
+          columns.push_back(chunk.points[*local++]);
+        }
+        use(patch, std::span<const Index>(columns));
+      }
+    });
   }
 
   /// Calls body(chunk, its number).
   template <class Body>
   void for_chunks(const Context& context, Body&& body) const {
     parallel::for_ranges(
-        context, rows_.patch_count(),
-        [&](std::size_t first, std::size_t last) {
-          const std::size_t number = first / kPatches;
+        context, chunks_.size() - 1,
+        [&](std::size_t number, std::size_t) {
+          const std::size_t first = patches_[number];
           const std::size_t at = chunks_[number];
-          const Chunk chunk{std::span(order_).subspan(first, last - first),
+          const Chunk chunk{std::span(order_).subspan(first, patches_[number + 1] - first),
                             std::span(points_).subspan(at, chunks_[number + 1] - at),
                             local_.data() + local_starts_[number],
-                            chunks_[number + 1] - at - (shared_[number + 1] - shared_[number])};
+                            chunks_[number + 1] - at - (shared_[number + 1] - shared_[number]), at};
           body(chunk, number);
         },
-        kPatches);
+        1);
   }
 
   /// The chunks' patches one after the other: combine(sum, part(chunk)).
@@ -125,15 +168,17 @@ class PatchLayout {
   }
 
  private:
+  void cut();
   void number_points();
   void share_points();
 
   PatchRows rows_;
   Index control_points_;
   std::vector<Index> order_;               // the patches, those of each chunk sorted by kind
+  std::vector<std::size_t> patches_;       // where those of each chunk start
   std::vector<Index> points_;              // of each chunk, chunk after chunk; its own ones first
   std::vector<std::size_t> chunks_;        // where those of each start
-  std::vector<Index> local_;               // of every column of every patch, in that order
+  std::vector<LocalIndex> local_;          // of every column of every patch, in that order
   std::vector<std::size_t> local_starts_;  // where those of each chunk start
   std::vector<std::size_t> shared_;  // where the points of each chunk start that others need, too
   std::vector<Index> several_;       // control points of several chunks, or of none

@@ -8,11 +8,10 @@
 
 namespace surpass {
 
-/// The patches of `rows`, built with `sampled`, in groups of `size` that grow around a patch each,
-/// over its neighbours and theirs, as far as these are still free. O(#faces).
+/// The patches of `rows` in groups that grow around a patch each, over its neighbours and theirs,
+/// as far as these are still free, until they have as many `columns`. O(#faces).
 [[nodiscard]] std::vector<Index> patches_by_neighbourhood(const Topology& topology,
                                                           const PatchRows& rows,
-                                                          std::span<const unsigned char> sampled,
-                                                          std::size_t size);
+                                                          std::size_t columns);
 
 }  // namespace surpass

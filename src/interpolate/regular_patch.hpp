@@ -125,6 +125,66 @@ template <class V, class T>
   }
 }
 
+// The same two where the origin of the view is an irregular corner: rows 0 and 5 are not there, and
+// row 10 is the third derivative beyond it.
+template <class V, class T>
+[[gnu::always_inline]] inline void half_rows_beyond(const T* f, T* rows) {
+  alignas(kLaneAlignment) T s[5];
+  alignas(kLaneAlignment) T t[5];
+  for (int i = 1; i < 5; ++i) {
+    s[i] = f[V::at(i, 0)] + 4 * f[V::at(i, 1)] + f[V::at(i, 2)];
+    t[i] = f[V::at(i, 1)] + 4 * f[V::at(i, 2)] + f[V::at(i, 3)];
+  }
+  rows[1] = s[3] - s[1];
+  rows[2] = s[4] - s[2];
+  rows[3] = t[3] - t[1];
+  rows[4] = t[4] - t[2];
+  rows[6] = s[1] - 2 * s[2] + s[3];
+  rows[7] = s[2] - 2 * s[3] + s[4];
+  rows[8] = t[1] - 2 * t[2] + t[3];
+  rows[9] = t[2] - 2 * t[3] + t[4];
+  rows[10] = rows[7] - rows[6];
+  rows[11] = rows[9] - rows[8];
+}
+
+template <class V, class T>
+[[gnu::always_inline]] inline void collect_half_beyond(const T* r, T* f) {
+  const T b = r[6] - r[10];
+  const T c = r[7] + r[10];
+  const T d = r[8] - r[11];
+  const T e = r[9] + r[11];
+  alignas(kLaneAlignment)
+      const T s[5] = {{}, b - r[1], c - 2 * b - r[2], b - 2 * c + r[1], c + r[2]};
+  alignas(kLaneAlignment)
+      const T t[5] = {{}, d - r[3], e - 2 * d - r[4], d - 2 * e + r[3], e + r[4]};
+  for (int i = 1; i < 5; ++i) {
+    f[V::at(i, 0)] += s[i];
+    f[V::at(i, 1)] += 4 * s[i] + t[i];
+    f[V::at(i, 2)] += s[i] + 4 * t[i];
+    f[V::at(i, 3)] += t[i];
+  }
+}
+
+// The third derivative of the line in the middle, before that of row 11. They differ where a corner
+// of the patch is irregular.
+inline constexpr double kThird[4] = {-1, 3, -3, 1};
+template <class V, class T>
+[[gnu::always_inline]] inline void third_before(const T* f, T& row) {
+  row = T{};
+  for (int i = 0; i < 4; ++i) {
+    row += kThird[i] * (f[V::at(i, 1)] + 4 * f[V::at(i, 2)] + f[V::at(i, 3)]);
+  }
+}
+template <class V, class T>
+[[gnu::always_inline]] inline void collect_third_before(const T& row, T* f) {
+  for (int i = 0; i < 4; ++i) {
+    const T t = kThird[i] * row;
+    f[V::at(i, 1)] += t;
+    f[V::at(i, 2)] += 4 * t;
+    f[V::at(i, 3)] += t;
+  }
+}
+
 /// points, kPoints in the order of the grid -> rows, kRows.
 template <class T>
 [[gnu::always_inline]] inline void derivatives(const T* points, T* rows) {

@@ -36,15 +36,22 @@ struct Units {
   double scale = 1;            // a power of two
 
   void enter(const Context& context, std::span<double> x) const {
-    const std::size_t width = centre.size();
-    parallel::for_ranges(context, x.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) x[i] = (x[i] - centre[i % width]) * scale;
-    });
+    for_all(context, x, [&](double value, double middle) { return (value - middle) * scale; });
   }
   void leave(const Context& context, std::span<double> x) const {
+    for_all(context, x, [&](double value, double middle) { return value / scale + middle; });
+  }
+
+ private:
+  template <class Change>
+  void for_all(const Context& context, std::span<double> x, Change&& change) const {
+    if (x.empty()) return;
     const std::size_t width = centre.size();
-    parallel::for_ranges(context, x.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) x[i] = x[i] / scale + centre[i % width];
+    parallel::for_ranges(context, x.size() / width, [&](std::size_t begin, std::size_t end) {
+      double* at = x.data() + begin * width;
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t c = 0; c < width; ++c, ++at) *at = change(*at, centre[c]);
+      }
     });
   }
 };
@@ -52,9 +59,11 @@ struct Units {
 Result<Units> units_of(std::span<const double> values, std::size_t width) {
   std::vector<double> low(width, HUGE_VAL);
   std::vector<double> high(width, -HUGE_VAL);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    low[i % width] = std::min(low[i % width], values[i]);
-    high[i % width] = std::max(high[i % width], values[i]);
+  for (auto at = values.begin(); at != values.end();) {
+    for (std::size_t c = 0; c < width; ++c, ++at) {
+      low[c] = std::min(low[c], *at);
+      high[c] = std::max(high[c], *at);
+    }
   }
   Units units{std::vector<double>(width, 0.0)};
   double side = 0;
@@ -97,29 +106,37 @@ std::vector<double> refined_reference(const SimilarityPrepared& prepared, const 
   return refine_given(prepared, wanted.width, source, context);
 }
 
-// x = the reference where points are free, moved to where the energy is least; in units.
-FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& system,
-                     std::span<const double> reference, std::span<double> x) {
-  const Context& context = system.context;
-  std::vector<double> gradient(x.size());
-  std::vector<double> change(x.begin(), x.end());
+// The energy's derivative at x by the free points; empty where x is where the energy is least.
+std::vector<double> gradient_at(const SimilarityPrepared& prepared, const FreeSystem& system,
+                                std::span<const double> reference, std::span<const double> x) {
+  std::vector<double> difference(x.begin(), x.end());
   if (prepared.options.similarity != Similarity::fair) {
     // Only the difference to the reference costs, and it may be nothing but rounding.
     double largest = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      change[i] -= reference[i];
-      largest = std::max(largest, std::abs(change[i]));
+      difference[i] -= reference[i];
+      largest = std::max(largest, std::abs(difference[i]));
     }
     constexpr double kRounding = 1e-14;  // coordinates are near 1
     if (largest <= kRounding) return {};
   }
-  system.energy.product(context, system.width, change, gradient);
-  system.elimination.restrict_gradient(context, system.width, gradient);
-  std::fill(change.begin(), change.end(), 0.0);
+  std::vector<double> gradient(x.size());
+  system.energy.product(system.context, system.width, difference, gradient);
+  system.elimination.restrict_gradient(system.context, system.width, gradient);
+  return gradient;
+}
+
+// x = the reference where points are free, moved to where the energy is least; in units.
+FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& system,
+                     std::span<const double> reference, std::span<double> x) {
+  std::vector<double> gradient = gradient_at(prepared, system, reference, x);
+  if (gradient.empty()) return {};
   const StopAt stop{prepared.options.solver_tolerance, prepared.options.max_iterations};
-  FreeOutcome outcome = prepared.options.solver == SimilaritySolver::gauss_seidel
-                            ? gauss_seidel(system, *prepared.layout, stop, gradient, change)
-                            : conjugate_gradient(system, stop, gradient, change);
+  if (prepared.options.solver != SimilaritySolver::gauss_seidel) {
+    return conjugate_gradient(system, stop, gradient, x);
+  }
+  std::vector<double> change(x.size(), 0.0);
+  FreeOutcome outcome = gauss_seidel(system, *prepared.layout, stop, gradient, change);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += change[i];
   return outcome;
 }

@@ -157,9 +157,9 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   auto elimination = Elimination::build(std::move(*limits), control_points, context);
   if (!elimination) return tl::make_unexpected(elimination.error());
   auto rows = PatchRows::build(refined->mesh, *topology, options.rules, level_of(options.samples),
-                               refined->sampled, context, Sides::shared);
+                               refined->sampled, context, Sides::joined);
   if (!rows) return tl::make_unexpected(rows.error());
-  auto order = patches_by_neighbourhood(*topology, *rows, refined->sampled, PatchLayout::kPatches);
+  auto order = patches_by_neighbourhood(*topology, *rows, PatchLayout::kColumns);
   auto layout =
       std::make_unique<const PatchLayout>(std::move(*rows), std::move(order), control_points);
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;

@@ -39,107 +39,131 @@ class SumOfSquares final : public PatchEnergy {
     }
   }
 
-  void product(const Context& context, std::size_t width, std::span<const double> x,
-               std::span<double> y) const override;
+  double product(const Context& context, std::size_t width, std::span<const double> x,
+                 std::span<double> y) const override;
   [[nodiscard]] std::size_t block_size() const override { return 1; }
   [[nodiscard]] std::vector<double> diagonal(const Context& context) const override;
-  void for_blocks(std::size_t patch, const UseBlock& use) const override;
+  void for_blocks(std::size_t patch, std::span<const Index> columns,
+                  const UseBlock& use) const override;
 
  private:
   const PatchLayout& layout_;
   std::vector<KindForm> forms_;  // for each kind of patch
 };
 
+// What is done for each of the patches of a group: `local` numbers its points, of which each has
+// `width` numbers, `stride` apart.
+struct Group {
+  const LocalIndex* local;
+  std::size_t width;
+  std::size_t stride;
+  const double* x;
+  double* y;
+};
+
 // y += matrix x for the points of one patch.
-void apply_matrix(const Matrix& matrix, const Index* local, std::size_t width, const double* x,
-                  double* y) {
+void apply_matrix(const Matrix& matrix, const Group& at) {
   const auto n = static_cast<std::size_t>(matrix.cols());
   for (std::size_t a = 0; a < n; ++a) {
     const double* row = matrix.data() + a * n;
-    for (std::size_t c = 0; c < width; ++c) {
+    for (std::size_t c = 0; c < at.width; ++c) {
       double sum = 0;
-      for (std::size_t b = 0; b < n; ++b) sum += row[b] * x[local[b] * width + c];
-      y[local[a] * width + c] += sum;
+      for (std::size_t b = 0; b < n; ++b) sum += row[b] * at.x[at.local[b] * at.stride + c];
+      at.y[at.local[a] * at.stride + c] += sum;
     }
   }
 }
 
-// The same for kLanes patches and three right-hand sides, the case that matters: n points with a
-// patch in every lane.
+// y += rows' rows x.
+void apply_rows(const Matrix& rows, const Group& at) {
+  const auto n = static_cast<std::size_t>(rows.cols());
+  for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+    const double* row = rows.data() + static_cast<std::size_t>(r) * n;
+    for (std::size_t c = 0; c < at.width; ++c) {
+      double sum = 0;
+      for (std::size_t b = 0; b < n; ++b) sum += row[b] * at.x[at.local[b] * at.stride + c];
+      for (std::size_t b = 0; b < n; ++b) at.y[at.local[b] * at.stride + c] += row[b] * sum;
+    }
+  }
+}
+
+// The matrix for a patch in every lane and three right-hand sides, the case that matters: n points.
+// kRows rows at once, so that a sum need not wait for the one before.
+template <class W, std::size_t kRows>
+[[gnu::always_inline]] inline void times_rows(const double* rows, std::size_t n,
+                                              const LaneVectors* points, std::size_t first,
+                                              LaneVectors* sums) {
+  using Numbers = typename W::Numbers;
+  Numbers sum[kRows][3] = {};
+  for (std::size_t b = 0; b < n; ++b) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Numbers& x = *reinterpret_cast<const Numbers*>(points[b].of[c] + first);
+      for (std::size_t a = 0; a < kRows; ++a) sum[a][c] += rows[a * n + b] * x;
+    }
+  }
+  for (std::size_t a = 0; a < kRows; ++a) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      *reinterpret_cast<Numbers*>(sums[a].of[c] + first) = sum[a][c];
+    }
+  }
+}
+
 template <class W>
 [[gnu::always_inline]] inline void times_lanes(const double* matrix, std::size_t n,
                                                const LaneVectors* points, std::size_t first,
                                                LaneVectors* sums) {
-  using Numbers = typename W::Numbers;
-  for (std::size_t a = 0; a < n; ++a) {
-    const double* row = matrix + a * n;
-    Numbers sum[3] = {};
-    for (std::size_t b = 0; b < n; ++b) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        sum[c] += row[b] * *reinterpret_cast<const Numbers*>(points[b].of[c] + first);
-      }
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-      *reinterpret_cast<Numbers*>(sums[a].of[c] + first) = sum[c];
-    }
+  constexpr std::size_t kAtOnce = 4;
+  std::size_t a = 0;
+  for (; a + kAtOnce <= n; a += kAtOnce) {
+    times_rows<W, kAtOnce>(matrix + a * n, n, points, first, sums + a);
   }
+  for (; a < n; ++a) times_rows<W, 1>(matrix + a * n, n, points, first, sums + a);
 }
 
-void times_abreast(const double* matrix, std::size_t n, const LaneVectors* points,
-                   LaneVectors* sums) {
+void times_abreast(const double* matrix, std::size_t n, std::size_t lanes,
+                   const LaneVectors* points, LaneVectors* sums) {
   run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
-    for (std::size_t l = 0; l < kLanes; l += W::kCount) {
+    for (std::size_t l = 0; l < lanes; l += W::kCount) {
       times_lanes<W>(matrix, n, points, l, sums);
     }
   });
 }
 
-void apply_matrix_abreast(const Matrix& matrix, const Index* local, const double* x, double* y,
+void apply_matrix_abreast(const Matrix& matrix, std::size_t lanes, const Group& at,
                           std::vector<LaneVectors>& points, std::vector<LaneVectors>& sums) {
   const auto n = static_cast<std::size_t>(matrix.cols());
-  points.resize(n);
-  sums.resize(n);
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    for (std::size_t b = 0; b < n; ++b) points[b].set(l, x + std::size_t{3} * local[l * n + b]);
+  if (points.size() < n) {
+    points.resize(n);
+    sums.resize(n);
   }
-  times_abreast(matrix.data(), n, points.data(), sums.data());
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    for (std::size_t a = 0; a < n; ++a) sums[a].add_to(l, y + std::size_t{3} * local[l * n + a]);
-  }
+  gather_points(at.local, n, lanes, at.x, points.data());
+  times_abreast(matrix.data(), n, lanes, points.data(), sums.data());
+  scatter_points(at.local, n, lanes, sums.data(), at.y);
 }
 
-// y += rows' rows x.
-void apply_rows(const Matrix& rows, const Index* local, std::size_t width, const double* x,
-                double* y) {
-  const auto n = static_cast<std::size_t>(rows.cols());
-  for (Eigen::Index r = 0; r < rows.rows(); ++r) {
-    const double* row = rows.data() + static_cast<std::size_t>(r) * n;
-    for (std::size_t c = 0; c < width; ++c) {
-      double sum = 0;
-      for (std::size_t b = 0; b < n; ++b) sum += row[b] * x[local[b] * width + c];
-      for (std::size_t b = 0; b < n; ++b) y[local[b] * width + c] += row[b] * sum;
-    }
-  }
-}
-
-void SumOfSquares::product(const Context& context, std::size_t width, std::span<const double> x,
-                           std::span<double> y) const {
-  layout_.add_up(context, width, y, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto own = chunk.copy(width, x);
+double SumOfSquares::product(const Context& context, std::size_t width, std::span<const double> x,
+                             std::span<double> y) const {
+  const bool abreast = width == 3;
+  const std::size_t stride = abreast ? kPointStride : width;
+  const auto work = [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
+    const auto own = chunk.copy(width, stride, x);
     std::vector<LaneVectors> points;
     std::vector<LaneVectors> sums;
-    layout_.for_groups(chunk, [&](Index kind, const Index* local, std::size_t lanes) {
+    layout_.for_groups(chunk, [&](Index kind, const LocalIndex* local, std::size_t lanes) {
       const KindForm& f = forms_[kind];
-      if (f.matrix.size() != 0 && width == 3 && lanes == kLanes) {
-        apply_matrix_abreast(f.matrix, local, own.data(), values.data(), points, sums);
+      Group at{local, width, stride, own.data(), values.data()};
+      if (f.matrix.size() != 0 && abreast) {
+        apply_matrix_abreast(f.matrix, lanes, at, points, sums);
         return;
       }
-      for (std::size_t l = 0; l < lanes; ++l, local += layout_.rows().kinds()[kind].columns) {
-        if (f.rows.size() != 0) apply_rows(f.rows, local, width, own.data(), values.data());
-        if (f.matrix.size() != 0) apply_matrix(f.matrix, local, width, own.data(), values.data());
+      for (std::size_t l = 0; l < lanes; ++l, at.local += layout_.rows().kinds()[kind].columns) {
+        if (f.rows.size() != 0) apply_rows(f.rows, at);
+        if (f.matrix.size() != 0) apply_matrix(f.matrix, at);
       }
     });
-  });
+    return dot_of_points(own, values);
+  };
+  return layout_.add_up(context, width, stride, y, work);
 }
 
 double diagonal_of(const KindForm& form, std::size_t column) {
@@ -156,22 +180,26 @@ std::vector<double> SumOfSquares::diagonal(const Context& context) const {
     }
   }
   std::vector<double> sum(layout_.control_count());
-  layout_.add_up(context, 1, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    layout_.for_groups(chunk, [&](Index kind, const Index* local, std::size_t lanes) {
-      const std::vector<double>& diagonal = diagonals[kind];
-      for (std::size_t k = 0; k < lanes * diagonal.size(); ++k) {
-        values[local[k]] += diagonal[k % diagonal.size()];
-      }
-    });
-  });
+  layout_.add_up(
+      context, 1, 1, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
+        layout_.for_groups(chunk, [&](Index kind, const LocalIndex* local, std::size_t lanes) {
+          const std::vector<double>& diagonal = diagonals[kind];
+          for (std::size_t k = 0; k < lanes * diagonal.size(); ++k) {
+            values[local[k]] += diagonal[k % diagonal.size()];
+          }
+        });
+        return 0;
+      });
   return sum;
 }
 
-void SumOfSquares::for_blocks(std::size_t patch, const UseBlock& use) const {
+void SumOfSquares::for_blocks(std::size_t patch, std::span<const Index> /*columns*/,
+                              const UseBlock& use) const {
   const KindForm& f = forms_[layout_.rows().kind_number(patch)];
   const Matrix matrix = f.rows.size() != 0 ? Matrix(f.rows.transpose() * f.rows) : f.matrix;
   for (Eigen::Index a = 0; a < matrix.rows(); ++a) {
     for (Eigen::Index b = 0; b < matrix.cols(); ++b) {
+      if (matrix(a, b) == 0) continue;
       use(static_cast<std::size_t>(a), static_cast<std::size_t>(b), &matrix(a, b));
     }
   }

@@ -17,6 +17,8 @@ enum class Sides {
   each,    ///< every patch has the rows of all its samples
   shared,  ///< one patch has those on a side for both, with twice their count and area, where the
            ///< surface is smooth and the side's numbers in the two patches differ: half the work
+  joined,  ///< besides, the patches around a vertex are one where Stars finds them: it needs 25
+           ///< vertices around a regular one, where four patches need 16 each
 };
 
 /// Rows of weights, one a sampled derivative.

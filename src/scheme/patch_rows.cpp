@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
 #include "scheme/numbered_faces.hpp"
+#include "scheme/patch_star.hpp"
 #include "scheme/sharpness.hpp"
 
 namespace surpass {
@@ -266,52 +268,174 @@ Result<PatchRows> PatchRows::build(const Mesh& mesh, const Topology& topology, c
   return scheme_of(rules.scheme).patch_rows(mesh, topology, rules, level, sampled, context, sides);
 }
 
+namespace {
+
+// The patches of faces, one after the other.
+class FacePatches {
+ public:
+  FacePatches(const SubdivisionScheme& scheme, const Rules& rules, int level,
+              const Topology& topology, const Sharpness& sharpness,
+              std::span<const unsigned char> sampled, Sides sides)
+      : scheme_(scheme),
+        rules_(rules),
+        level_(level),
+        topology_(topology),
+        sharpness_(sharpness),
+        sampled_(sampled),
+        counts_(topology, sharpness, sampled, sides) {}
+
+  Result<void> add_stars(const Context& context);
+  /// Of the faces that have none yet.
+  Result<void> add_rest(const Context& context);
+  [[nodiscard]] PatchRows take() && { return std::move(rows_); }
+
+ private:
+  Result<void> add_star(Index v, std::span<const Index> vertices);
+  Result<void> add_face(Index f);
+  Result<void> add_piece(Index f, std::span<const unsigned char> count, bool is_regular);
+  [[nodiscard]] Result<PatchKind> star_kind(Index v, std::span<const Index> vertices);
+  [[nodiscard]] bool is_left(Index f) const {
+    return (sampled_.empty() || sampled_[f] != 0) &&
+           (rows_.patches_of_faces().empty() || rows_.patches_of_faces()[f] == kNone);
+  }
+
+  const SubdivisionScheme& scheme_;
+  const Rules& rules_;
+  int level_;
+  const Topology& topology_;
+  const Sharpness& sharpness_;
+  std::span<const unsigned char> sampled_;
+  SideCounts counts_;
+  KindTable table_;
+  std::vector<Index> star_kinds_ = std::vector<Index>(Stars::kMostFaces + 1, kNone);
+  Piece piece_;
+  std::array<Index, 16> regular_{};
+  PatchRows rows_;
+};
+
+// The pieces around its faces are all joined alike, so they are of one kind.
+Result<PatchKind> FacePatches::star_kind(Index v, std::span<const Index> vertices) {
+  constexpr std::array<unsigned char, 4> kCounts = {2, 2, 0, 0};
+  std::optional<PatchKind> part;
+  PatchKind kind;
+  kind.columns = vertices.size();
+  std::vector<Index> faces;
+  topology_.for_each_outgoing(v, [&](Index h) { faces.push_back(topology_.face(h)); });
+  for (const Index f : faces) {
+    piece_.cut(topology_, sharpness_, f, kCounts);
+    if (!part) {
+      auto found = scheme_.patch_kind(piece_.mesh(), rules_, level_, kCounts, {});
+      if (!found) return found;
+      part = std::move(*found);
+    }
+    std::vector<std::size_t> column;
+    for (const Index w : piece_.vertices()) {
+      column.push_back(static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), w) -
+                                                vertices.begin()));
+    }
+    for (std::size_t r = 0; r < part->row_count(); ++r) {
+      std::vector<double> row(kind.columns, 0.0);
+      for (std::size_t c = 0; c < column.size(); ++c) row[column[c]] = part->row(r)[c];
+      kind.add(row, part->derivative[r], part->count[r], part->area[r]);
+    }
+  }
+  return kind;
+}
+
+Result<void> FacePatches::add_star(Index v, std::span<const Index> vertices) {
+  Index& number = star_kinds_[topology_.faces_at(v)];
+  if (number == kNone) {
+    auto kind = star_kind(v, vertices);
+    if (!kind) return tl::make_unexpected(kind.error());
+    number = rows_.add_kind(std::move(*kind));
+  }
+  rows_.add_patch(vertices, number);
+  topology_.for_each_outgoing(
+      v, [&](Index h) { rows_.own_face(topology_.face(h), topology_.face_count()); });
+  return {};
+}
+
+Result<void> FacePatches::add_stars(const Context& context) {
+  if (topology_.common_degree() != 4) return {};
+  Stars stars(topology_, sharpness_, sampled_);
+  const std::size_t faces = topology_.face_count();
+  rows_.reserve(faces / 4, std::min(faces / 4 + Stars::kPerFace * faces, kMostColumnsTogether));
+  for (Index v = 0; v < topology_.vertex_count(); ++v) {
+    if (v % parallel::kChunk == 0 && context.cancelled()) {
+      return fail(ErrorCode::cancelled, "cancelled while setting up");
+    }
+    if (rows_.column_count() > kMostColumnsTogether) break;
+    if (!stars.find(v)) continue;
+    if (auto ok = add_star(v, stars.vertices()); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> FacePatches::add_piece(Index f, std::span<const unsigned char> count,
+                                    bool is_regular) {
+  piece_.cut(topology_, sharpness_, f, count);
+  if (rows_.column_count() > kMostColumnsTogether) {
+    return fail(ErrorCode::too_large,
+                "the patches of the refined mesh depend on too many vertices");
+  }
+  const auto [at, added] =
+      table_.numbers.try_emplace(piece_.key(), static_cast<Index>(rows_.kinds().size()));
+  if (added) {
+    auto kind = scheme_.patch_kind(piece_.mesh(), rules_, level_, count, piece_.cut_vertices());
+    if (!kind) return tl::make_unexpected(kind.error());
+    rows_.add_kind(std::move(*kind));
+  }
+  if (is_regular) table_.regular(count) = at->second;
+  rows_.add_patch(piece_.vertices(), at->second);
+  return {};
+}
+
+Result<void> FacePatches::add_face(Index f) {
+  const auto count = counts_.of(f);
+  const bool quads = topology_.common_degree() == 4;
+  const bool is_regular =
+      quads ? regular_quad(topology_, sharpness_, f, regular_) && all_different(regular_)
+            : topology_.common_degree() == 3 && regular_triangle(topology_, sharpness_, f, piece_);
+  if (is_regular && table_.regular(count) != kNone) {
+    rows_.add_patch(quads ? std::span<const Index>(regular_) : piece_.vertices(),
+                    table_.regular(count));
+  } else if (auto ok = add_piece(f, count, is_regular); !ok) {
+    return ok;
+  }
+  rows_.own_face(f, topology_.face_count());
+  return {};
+}
+
+Result<void> FacePatches::add_rest(const Context& context) {
+  const std::size_t usual = topology_.common_degree() == 3 ? 12 : 16;
+  std::size_t left = 0;
+  for (Index f = 0; f < topology_.face_count(); ++f) left += is_left(f) ? 1U : 0U;
+  rows_.reserve(rows_.patch_count() + left,
+                std::min(rows_.column_count() + usual * left, kMostColumnsTogether));
+  for (Index f = 0; f < topology_.face_count(); ++f) {
+    if (f % parallel::kChunk == 0 && context.cancelled()) {
+      return fail(ErrorCode::cancelled, "cancelled while setting up");
+    }
+    if (!is_left(f)) continue;
+    if (auto ok = add_face(f); !ok) return ok;
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<PatchRows> SubdivisionScheme::patch_rows(const Mesh& mesh, const Topology& topology,
                                                 const Rules& rules, int level,
                                                 std::span<const unsigned char> sampled,
                                                 const Context& context, Sides sides) const {
   const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
   if (!sharpness) return tl::make_unexpected(sharpness.error());
-  PatchRows rows;
-  KindTable table;
-  SideCounts counts(topology, *sharpness, sampled, sides);
-  Piece piece;
-  std::array<Index, 16> regular{};
-  const std::size_t usual = topology.common_degree() == 3 ? 12 : 16;
-  rows.reserve(topology.face_count(),
-               std::min(usual * topology.face_count(), kMostColumnsTogether));
-  for (Index f = 0; f < topology.face_count(); ++f) {
-    if (f % parallel::kChunk == 0 && context.cancelled()) {
-      return fail(ErrorCode::cancelled, "cancelled while setting up");
-    }
-    if (!sampled.empty() && sampled[f] == 0) continue;
-    const auto count = counts.of(f);
-    const bool is_regular =
-        topology.common_degree() == 4
-            ? regular_quad(topology, *sharpness, f, regular) && all_different(regular)
-            : topology.common_degree() == 3 && regular_triangle(topology, *sharpness, f, piece);
-    if (is_regular && table.regular(count) != kNone) {
-      rows.add_patch(
-          topology.common_degree() == 4 ? std::span<const Index>(regular) : piece.vertices(),
-          table.regular(count));
-    } else {
-      piece.cut(topology, *sharpness, f, count);
-      if (rows.column_count() > kMostColumnsTogether) {
-        return fail(ErrorCode::too_large,
-                    "the patches of the refined mesh depend on too many vertices");
-      }
-      const auto [at, added] =
-          table.numbers.try_emplace(piece.key(), static_cast<Index>(rows.kinds().size()));
-      if (added) {
-        auto kind = patch_kind(piece.mesh(), rules, level, count, piece.cut_vertices());
-        if (!kind) return tl::make_unexpected(kind.error());
-        rows.add_kind(std::move(*kind));
-      }
-      if (is_regular) table.regular(count) = at->second;
-      rows.add_patch(piece.vertices(), at->second);
-    }
+  FacePatches patches(*this, rules, level, topology, *sharpness, sampled, sides);
+  if (sides == Sides::joined) {
+    if (auto ok = patches.add_stars(context); !ok) return tl::make_unexpected(ok.error());
   }
-  return rows;
+  if (auto ok = patches.add_rest(context); !ok) return tl::make_unexpected(ok.error());
+  return std::move(patches).take();
 }
 
 }  // namespace surpass

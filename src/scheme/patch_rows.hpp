@@ -38,11 +38,13 @@ class PatchRows {
 
   /// The vertex that each patch belongs to, ascending; empty where patches belong to faces.
   [[nodiscard]] std::span<const Index> vertices() const { return vertices_; }
+  /// The patch of each face, kNone where it has none; empty where patches belong to vertices.
+  [[nodiscard]] std::span<const Index> patches_of_faces() const { return patch_of_; }
 
-  /// A patch for every face with `sampled` != 0 (#F; empty: all), in order; or for every vertex
-  /// where anything is known, whatever `sampled` says. `level` refinements lead to the samples:
-  /// 2^level + 1 along a side. Fails where Sharpness::build does, with `too_large`, or when
-  /// cancelled. O(#faces).
+  /// A patch for every face with `sampled` != 0 (#F; empty: all), in order, but those that are
+  /// joined come first; or for every vertex where anything is known, whatever `sampled` says.
+  /// `level` refinements lead to the samples: 2^level + 1 along a side. Fails where
+  /// Sharpness::build does, with `too_large`, or when cancelled. O(#faces).
   static Result<PatchRows> build(const Mesh& mesh, const Topology& topology, const Rules& rules,
                                  int level, std::span<const unsigned char> sampled,
                                  const Context& context, Sides sides = Sides::each);
@@ -56,6 +58,17 @@ class PatchRows {
     columns_.insert(columns_.end(), columns.begin(), columns.end());
     offsets_.push_back(static_cast<Index>(columns_.size()));
     kind_of_.push_back(kind);
+  }
+  /// What a mesh's size decides, for whoever keeps its own way from patches to vertices.
+  void forget_columns() {
+    columns_ = {};
+    offsets_ = {};
+    patch_of_ = {};
+  }
+  /// The patch that was added last belongs to the face.
+  void own_face(Index f, Index face_count) {
+    patch_of_.resize(face_count, kNone);
+    patch_of_[f] = static_cast<Index>(kind_of_.size() - 1);
   }
   void add_vertex_patch(Index v, std::span<const Index> columns, Index kind) {
     vertices_.push_back(v);
@@ -72,6 +85,7 @@ class PatchRows {
   std::vector<Index> columns_;
   std::vector<Index> kind_of_;
   std::vector<Index> vertices_;
+  std::vector<Index> patch_of_;
   std::vector<PatchKind> kinds_;
 };
 

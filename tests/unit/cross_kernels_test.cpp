@@ -2,6 +2,7 @@
 #include "interpolate/cross_kernels.hpp"
 
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -13,11 +14,14 @@ namespace surpass {
 namespace {
 
 // A closed grid of quads refined once, and polygons with all sorts of corners.
-std::vector<PatchKind> kinds_of(const Mesh& given) {
+PatchRows rows_of(const Mesh& given, Sides sides, int level = 1) {
   const Rules rules = {Scheme::catmull_clark};
   const Mesh refined = refine(given, rules, 1).value();
   const auto topology = Topology::build(refined).value();
-  return PatchRows::build(refined, topology, rules, 1, {}, {}, Sides::shared).value().kinds();
+  return PatchRows::build(refined, topology, rules, level, {}, {}, sides).value();
+}
+std::vector<PatchKind> kinds_of(const Mesh& given, Sides sides = Sides::shared) {
+  return rows_of(given, sides).kinds();
 }
 
 Mesh quad_torus(Index nu, Index nv) {
@@ -28,6 +32,30 @@ Mesh quad_torus(Index nu, Index nv) {
       const Index a = (i + 1) % nu;
       const Index b = (j + 1) % nv;
       mesh.add_face(std::array{i * nv + j, a * nv + j, a * nv + b, i * nv + b});
+    }
+  }
+  return mesh;
+}
+
+// Such a torus with edges turned, so that vertices have three to six faces.
+Mesh turned_torus() {
+  constexpr Index kSide = 12;
+  const Mesh grid = quad_torus(kSide, kSide);
+  Mesh mesh;
+  mesh.points.resize(grid.points.size());
+  const auto vertex = [](Index i, Index j) { return i % kSide * kSide + j % kSide; };
+  for (Index i = 0; i < kSide; ++i) {
+    for (Index j = 0; j < kSide; j += 2) {
+      const Index a = vertex(i, j);
+      const Index b = vertex(i, j + 1);
+      const Index c = vertex(i, j + 2);
+      const Index d = vertex(i + 1, j + 2);
+      const Index e = vertex(i + 1, j + 1);
+      const Index f = vertex(i + 1, j);
+      // The second one shares a corner with the first.
+      const bool turned = (i == 3 && j == 4) || (i == 4 && j == 6) || (i == 8 && j == 8);
+      mesh.add_face(turned ? std::array{a, b, c, d} : std::array{a, b, e, f});
+      mesh.add_face(turned ? std::array{a, d, e, f} : std::array{b, c, d, e});
     }
   }
   return mesh;
@@ -84,12 +112,14 @@ void expect_plain_sums(const PatchKind& kind) {
     }
   }
   std::vector<LaneVectors> sums(kind.columns);
+  std::vector<LaneVectors> work(cross_kind.work_size());
   gradient_of_patches(cross_kind, scaled_laws(cross_kind, counted).data(), reference_lanes.data(),
-                      x_lanes.data(), sums.data());
+                      x_lanes.data(), sums.data(), work.data());
   std::vector<LaneBlock> blocks(kind.columns);
-  diagonal_of_patches(cross_kind, counted.data(), reference_lanes.data(), blocks.data());
+  diagonal_of_patches(cross_kind, scaled_laws(cross_kind, counted).data(), reference_lanes.data(),
+                      blocks.data(), work.data());
   std::vector<LaneNumbers> squares(cross_kind.rows.size());
-  squares_of_patches(cross_kind, reference_lanes.data(), squares.data());
+  squares_of_patches(cross_kind, reference_lanes.data(), squares.data(), work.data());
   for (std::size_t l = 0; l < kLanes; ++l) {
     const auto expected = plain_gradient(kind, reference[l], x[l]);
     for (std::size_t c = 0; c < kind.columns; ++c) {
@@ -133,14 +163,69 @@ TEST(CrossKernels, OtherPatchesHaveTheirRows) {
   }
 }
 
+TEST(CrossKernels, StarsAreRefined) {
+  const auto kinds = kinds_of(turned_torus(), Sides::joined);
+  ASSERT_EQ(kinds.size(), 4U);
+  std::set<std::size_t> stars;
+  for (const PatchKind& kind : kinds) {
+    SCOPED_TRACE(kind.columns);
+    const std::size_t faces = CrossKind(kind).star;
+    EXPECT_EQ(1 + 6 * faces, kind.columns);
+    stars.insert(faces);
+    expect_plain_sums(kind);
+  }
+  EXPECT_EQ(stars, (std::set<std::size_t>{3, 4, 5, 6}));
+}
+
+// The sums of squares of the derivatives of random values, by order, and how many there are.
+std::vector<double> squares_by_order(const PatchRows& rows) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<double> x(1000);
+  for (double& value : x) value = uniform(random);
+  std::vector<double> sums(8);
+  for (std::size_t p = 0; p < rows.patch_count(); ++p) {
+    const PatchKind& kind = rows.kind(p);
+    for (std::size_t r = 0; r < kind.row_count(); ++r) {
+      double q = 0;
+      for (std::size_t c = 0; c < kind.columns; ++c) q += kind.row(r)[c] * x[rows.columns(p)[c]];
+      const auto order = static_cast<std::size_t>(kind.derivative[r]);
+      sums[order] += kind.count[r] * q * q;
+      sums[4 + order] += kind.area[r];
+    }
+  }
+  return sums;
+}
+
+TEST(JoinedPatches, HaveTheSameSums) {
+  Mesh creased = turned_torus();
+  creased.creases = {{{0, 1}}, {{1, 2}}};
+  for (const Mesh& given : {turned_torus(), creased, test::cube(), test::prism(5)}) {
+    for (const int level : {1, 2}) {
+      const PatchRows joined = rows_of(given, Sides::joined, level);
+      const PatchRows shared = rows_of(given, Sides::shared, level);
+      const auto sums = squares_by_order(joined);
+      const auto expected = squares_by_order(shared);
+      for (std::size_t k = 0; k < sums.size(); ++k) {
+        EXPECT_NEAR(sums[k], expected[k], 1e-12 * expected[k]);
+      }
+      std::vector<std::size_t> faces(joined.patch_count());
+      for (const Index p : joined.patches_of_faces()) ++faces[p];
+      for (std::size_t p = 0; p < faces.size(); ++p) {
+        EXPECT_EQ(joined.kind(p).columns == 1 + 6 * faces[p], faces[p] > 1);
+      }
+    }
+  }
+}
+
 TEST(LanePoints, GoThereAndBack) {
   constexpr std::size_t kColumns = 3;
-  std::vector<Index> local;
-  for (Index k = 0; k < kLanes * kColumns; ++k) local.push_back((5 * k) % 11);
-  std::vector<double> numbers;
-  for (int k = 0; k < 33; ++k) numbers.push_back(k + 0.25);
-  const std::vector<Index> all = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-  const auto x = padded_points(all, numbers);
+  std::vector<LocalIndex> local;
+  for (unsigned k = 0; k < kLanes * kColumns; ++k) {
+    local.push_back(static_cast<LocalIndex>((5 * k) % 11));
+  }
+  std::vector<double> x;
+  for (int k = 0; k < 11 * 4; ++k) x.push_back(k % 4 == 3 ? 0 : k + 0.25);
   for (std::size_t lanes = 1; lanes <= kLanes; ++lanes) {
     std::vector<LaneVectors> points(kColumns);
     gather_points(local.data(), kColumns, lanes, x.data(), points.data());
