@@ -52,10 +52,10 @@ Rows star_rows(star_patch::Faces faces) {
         faces, [&](std::size_t i) { return i == c ? 1.0 : 0.0; },
         [&](std::size_t i) -> double& { return fine[i]; });
     for (std::size_t k = 0; k < faces.count; ++k) {
+      const star_patch::Window places(faces, k);
       double window[25] = {};
       double found[star_patch::kMostRows] = {};
-      star_patch::for_window(faces, k, regular,
-                             [&](std::size_t to, std::size_t from) { window[to] = fine[from]; });
+      star_patch::for_places([&](std::size_t i) { window[i] = fine[places.fine(i)]; });
       star_patch::rows_of_patch(window, regular, found);
       for (std::size_t r = 0; r < count; ++r) {
         const std::size_t order = star_patch::order_of_row(r, regular);
@@ -150,7 +150,7 @@ void CrossKind::add(const PatchKind& kind, std::size_t row, double scale) {
     if (w == 0) continue;
     column.push_back(static_cast<unsigned>(c));
     weight.push_back(w);
-    square.push_back(w / scale * (w / scale));
+    of_column[c].push_back({rows.size(), w / scale * (w / scale)});
   }
   rows.push_back({begin, column.size(), kind.count[row], order_of(kind.derivative[row]), scale});
 }
@@ -170,7 +170,7 @@ bool CrossKind::add_star(const PatchKind& kind) {
   return star != 0;
 }
 
-CrossKind::CrossKind(const PatchKind& kind) : columns(kind.columns) {
+CrossKind::CrossKind(const PatchKind& kind) : columns(kind.columns), of_column(kind.columns) {
   if (add_star(kind)) return;
   const std::vector<std::size_t> order = regular_order(kind);
   is_regular = !order.empty();
@@ -214,64 +214,110 @@ template <class W>
   product = a.of[0] * b.of[0] + a.of[1] * b.of[1] + a.of[2] * b.of[2];
 }
 
-// What the weight is divided by, or 1 where there is none.
-template <class W>
+// What the weight is divided by. kBounded: laws have thresholds, and it is 1 where there is no
+// weight.
+template <class W, bool kBounded>
 [[gnu::always_inline]] inline void divisor(const RowLaw& law, const typename W::Numbers& square,
                                            typename W::Numbers& found) {
   using Numbers = typename W::Numbers;
   using Bits = typename W::Bits;
+  found = law.slope * square + law.constant;
+  if (!kBounded) return;
   const Bits above = square > law.threshold;
-  const Numbers plain = law.slope * square + law.constant;
   const Numbers one = Numbers{} + 1.0;
-  found = reinterpret_cast<Numbers>((reinterpret_cast<Bits>(plain) & above) |
+  found = reinterpret_cast<Numbers>((reinterpret_cast<Bits>(found) & above) |
                                     (reinterpret_cast<Bits>(one) & ~above));
 }
 
-template <class W>
+template <class W, bool kBounded>
 [[gnu::always_inline]] inline void weigh(const RowLaw& law, const typename W::Numbers& square,
                                          const typename W::Numbers& reciprocal,
                                          typename W::Numbers& weight) {
   using Numbers = typename W::Numbers;
   using Bits = typename W::Bits;
+  weight = law.numerator * reciprocal;
+  if (!kBounded) return;
   const Bits above = square > law.threshold;
-  weight = reinterpret_cast<Numbers>(reinterpret_cast<Bits>(law.numerator * reciprocal) & above);
+  weight = reinterpret_cast<Numbers>(reinterpret_cast<Bits>(weight) & above);
 }
 
-// Each q becomes the weight times (g.g q - g.q g). Two rows share a division, which takes as long
-// as all else that is done for them here.
+// q becomes the weight times (g.g q - g.q g); `square` is g.g, the reciprocal that of its divisor.
+template <class W, bool kBounded>
+[[gnu::always_inline]] inline void cross_twice(const RowLaw& law, const Vectors<W>& g,
+                                               typename W::Numbers& square,
+                                               const typename W::Numbers& reciprocal,
+                                               Vectors<W>& q) {
+  typename W::Numbers along;
+  typename W::Numbers weight;
+  dot<W>(g, q, along);
+  weigh<W, kBounded>(law, square, reciprocal, weight);
+  square *= weight;
+  along *= weight;
+  for (std::size_t c = 0; c < 3; ++c) q.of[c] = square * q.of[c] - along * g.of[c];
+}
+
 template <class W>
-[[gnu::always_inline]] inline void cross_twice(const RowLaw* laws, const Vectors<W>* g,
-                                               std::size_t rows, Vectors<W>* q) {
+[[gnu::always_inline]] inline void cross_twice(const RowLaw& law, const Vectors<W>& g,
+                                               Vectors<W>& q) {
+  typename W::Numbers square;
+  typename W::Numbers only;
+  dot<W>(g, g, square);
+  divisor<W, true>(law, square, only);
+  cross_twice<W, true>(law, g, square, 1 / only, q);
+}
+
+// Those of a patch, coordinate by coordinate.
+template <class W>
+struct Derivatives {
+  typename W::Numbers of[3][star_patch::kMostRows];
+  [[gnu::always_inline]] void get(std::size_t row, Vectors<W>& v) const {
+    for (std::size_t c = 0; c < 3; ++c) v.of[c] = of[c][row];
+  }
+  [[gnu::always_inline]] void set(std::size_t row, const Vectors<W>& v) {
+    for (std::size_t c = 0; c < 3; ++c) of[c][row] = v.of[c];
+  }
+};
+
+// Two rows share a division, which takes as long as all else that is done for them here.
+template <class W, bool kBounded>
+[[gnu::always_inline]] inline void cross_pairs(const RowLaw* laws, const Derivatives<W>& g,
+                                               std::size_t rows, Derivatives<W>& q) {
   using Numbers = typename W::Numbers;
-  const auto finish = [&](std::size_t r, Numbers & square, const Numbers& reciprocal)
-      __attribute__((always_inline)) {
-    Numbers along;
-    Numbers weight;
-    dot<W>(g[r], q[r], along);
-    weigh<W>(laws[r], square, reciprocal, weight);
-    square *= weight;
-    along *= weight;
-    for (std::size_t c = 0; c < 3; ++c) q[r].of[c] = square * q[r].of[c] - along * g[r].of[c];
-  };
-  std::size_t r = 0;
-  for (; r + 1 < rows; r += 2) {
+  for (std::size_t r = 0; r + 1 < rows; r += 2) {
+    Vectors<W> of_reference[2];
     Numbers squares[2];
     Numbers divisors[2];
     for (std::size_t k = 0; k < 2; ++k) {
-      dot<W>(g[r + k], g[r + k], squares[k]);
-      divisor<W>(laws[r + k], squares[k], divisors[k]);
+      g.get(r + k, of_reference[k]);
+      dot<W>(of_reference[k], of_reference[k], squares[k]);
+      divisor<W, kBounded>(laws[r + k], squares[k], divisors[k]);
     }
     const Numbers both = 1 / (divisors[0] * divisors[1]);
-    finish(r, squares[0], both * divisors[1]);
-    finish(r + 1, squares[1], both * divisors[0]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      Vectors<W> of_x;
+      q.get(r + k, of_x);
+      cross_twice<W, kBounded>(laws[r + k], of_reference[k], squares[k], both * divisors[1 - k],
+                               of_x);
+      q.set(r + k, of_x);
+    }
   }
-  if (r < rows) {
-    Numbers square;
-    Numbers only;
-    dot<W>(g[r], g[r], square);
-    divisor<W>(laws[r], square, only);
-    finish(r, square, 1 / only);
+}
+
+template <class W>
+[[gnu::always_inline]] inline void cross_all(const RowLaw* laws, const Derivatives<W>& g,
+                                             std::size_t rows, Derivatives<W>& q) {
+  if (laws->is_bounded()) {
+    cross_pairs<W, true>(laws, g, rows, q);
+  } else {
+    cross_pairs<W, false>(laws, g, rows, q);
   }
+  if (rows % 2 == 0) return;
+  Vectors<W> of_reference;
+  Vectors<W> of_x;
+  g.get(rows - 1, of_reference);
+  q.get(rows - 1, of_x);
+  cross_twice<W>(laws[rows - 1], of_reference, of_x);
+  q.set(rows - 1, of_x);
 }
 
 // A row times points; of the lanes from `first` on, as below.
@@ -288,15 +334,13 @@ template <class W>
 
 template <class W>
 [[gnu::always_inline]] inline void regular_derivatives(const LaneVectors* points, std::size_t first,
-                                                       Vectors<W>* rows) {
+                                                       Derivatives<W>& rows) {
   for (std::size_t c = 0; c < 3; ++c) {
     typename W::Numbers p[regular_patch::kPoints];
-    typename W::Numbers r[regular_patch::kRows];
     for (std::size_t k = 0; k < regular_patch::kPoints; ++k) {
       p[regular_patch::kPlace[k]] = at<W>(points[k].of[c] + first);
     }
-    regular_patch::derivatives(p, r);
-    for (std::size_t k = 0; k < regular_patch::kRows; ++k) rows[k].of[c] = r[k];
+    regular_patch::derivatives(p, rows.of[c]);
   }
 }
 
@@ -305,16 +349,14 @@ template <class W>
                                                     const LaneVectors* reference,
                                                     const LaneVectors* x, std::size_t first,
                                                     LaneVectors* sums) {
-  Vectors<W> g[regular_patch::kRows];
-  Vectors<W> q[regular_patch::kRows];
+  Derivatives<W> g;
+  Derivatives<W> q;
   regular_derivatives<W>(reference, first, g);
   regular_derivatives<W>(x, first, q);
-  cross_twice<W>(laws, g, regular_patch::kRows, q);
+  cross_all<W>(laws, g, regular_patch::kRows, q);
   for (std::size_t c = 0; c < 3; ++c) {
     typename W::Numbers p[regular_patch::kPoints];
-    typename W::Numbers r[regular_patch::kRows];
-    for (std::size_t k = 0; k < regular_patch::kRows; ++k) r[k] = q[k].of[c];
-    regular_patch::collect(r, p);
+    regular_patch::collect(q.of[c], p);
     for (std::size_t k = 0; k < regular_patch::kPoints; ++k) {
       at<W>(sums[k].of[c] + first) = p[regular_patch::kPlace[k]];
     }
@@ -338,43 +380,50 @@ template <class W>
   }
 }
 
+// The fine points that a patch of a star needs, as regular_patch looks at them.
+template <class W>
+class Window {
+ public:
+  Window(star_patch::Faces faces, std::size_t k, const double* fine) : fine_(fine), at_(faces, k) {}
+  [[gnu::always_inline]] const typename W::Numbers& operator[](std::size_t place) const {
+    return at<W>(fine_ + kStride * at_.fine(place));
+  }
+
+ private:
+  static constexpr std::size_t kStride = sizeof(LaneVectors) / sizeof(double);
+  const double* fine_;
+  star_patch::Window at_;
+};
+
 // The rows of patch k of a star, from its fine points or, where these do not tell, its points.
 template <class W, bool kRegular>
 [[gnu::always_inline]] inline void star_derivatives(const CrossKind& kind, std::size_t k,
                                                     const LaneVectors* points,
                                                     const LaneVectors* fine, std::size_t first,
-                                                    Vectors<W>* rows) {
+                                                    Derivatives<W>& rows) {
   for (std::size_t c = 0; c < 3; ++c) {
-    alignas(kLaneAlignment) typename W::Numbers window[25];
-    alignas(kLaneAlignment) typename W::Numbers found[star_patch::kMostRows];
-    star_patch::for_window(
-        {kind.star}, k,
-        kRegular, [&](std::size_t to, std::size_t from) __attribute__((always_inline)) {
-          window[to] = at<W>(fine[from].of[c] + first);
-        });
-    star_patch::rows_of_patch(window, kRegular, found);
-    for (std::size_t r = 0; r < star_patch::row_count(kRegular); ++r) rows[r].of[c] = found[r];
+    star_patch::rows_of_patch(Window<W>({kind.star}, k, fine->of[c] + first), kRegular, rows.of[c]);
   }
   if (kRegular) return;
   const CrossKind::Row& row = kind.rows[star_patch::kMostRows * k + star_patch::kAtCentre];
-  derive<W>(kind, row, points, first, rows[star_patch::kAtCentre]);
+  Vectors<W> found;
+  derive<W>(kind, row, points, first, found);
+  rows.set(star_patch::kAtCentre, found);
 }
 
 // Adds the transposed, apart from the row at the centre that the fine points do not tell.
 template <class W, bool kRegular>
 [[gnu::always_inline]] inline void collect_star_rows(const CrossKind& kind, std::size_t k,
-                                                     const Vectors<W>* rows, std::size_t first,
+                                                     const Derivatives<W>& rows, std::size_t first,
                                                      LaneVectors* fine) {
+  const star_patch::Window places({kind.star}, k);
   for (std::size_t c = 0; c < 3; ++c) {
+    // Among three faces two of the places are of the same fine point.
     alignas(kLaneAlignment) typename W::Numbers window[25] = {};
-    alignas(kLaneAlignment) typename W::Numbers found[star_patch::kMostRows];
-    for (std::size_t r = 0; r < star_patch::row_count(kRegular); ++r) found[r] = rows[r].of[c];
-    star_patch::collect_patch(found, kRegular, window);
-    star_patch::for_window(
-        {kind.star}, k,
-        kRegular, [&](std::size_t from, std::size_t to) __attribute__((always_inline)) {
-          at<W>(fine[to].of[c] + first) += window[from];
-        });
+    star_patch::collect_patch(rows.of[c], kRegular, window);
+    star_patch::for_places([&](std::size_t i) __attribute__((always_inline)) {
+      if (i != (kRegular ? 15 : 0)) at<W>(fine[places.fine(i)].of[c] + first) += window[i];
+    });
   }
 }
 
@@ -396,13 +445,13 @@ template <class W, bool kRegular>
   }
   Vectors<W> tangents[star_patch::kMostFaces];
   for (std::size_t k = 0; k < faces.count; ++k) {
-    Vectors<W> g[star_patch::kMostRows];
-    Vectors<W> q[star_patch::kMostRows];
+    Derivatives<W> g;
+    Derivatives<W> q;
     star_derivatives<W, kRegular>(kind, k, reference, of_reference, first, g);
     star_derivatives<W, kRegular>(kind, k, x, of_x, first, q);
     const RowLaw* const own = laws + star_patch::row_count(kRegular) * k;
-    cross_twice<W>(own, g, star_patch::row_count(kRegular), q);
-    if (!kRegular) tangents[k] = q[star_patch::kAtCentre];
+    cross_all<W>(own, g, star_patch::row_count(kRegular), q);
+    if (!kRegular) q.get(star_patch::kAtCentre, tangents[k]);
     collect_star_rows<W, kRegular>(kind, k, q, first, of_sums);
   }
   for (std::size_t c = 0; c < 3; ++c) {
@@ -434,19 +483,27 @@ template <class W, class Use>
   if (kind.star != 0) {
     refine_star<W>({kind.star}, points, first, work);
     for (std::size_t k = 0; k < kind.star; ++k) {
-      Vectors<W> g[star_patch::kMostRows];
+      Derivatives<W> g;
       const std::size_t count = star_patch::row_count(kind.star == 4);
       if (kind.star == 4) {
         star_derivatives<W, true>(kind, k, points, work, first, g);
       } else {
         star_derivatives<W, false>(kind, k, points, work, first, g);
       }
-      for (std::size_t r = 0; r < count; ++r) use(count * k + r, g[r]);
+      for (std::size_t r = 0; r < count; ++r) {
+        Vectors<W> v;
+        g.get(r, v);
+        use(count * k + r, v);
+      }
     }
   } else if (kind.is_regular) {
-    Vectors<W> g[regular_patch::kRows];
+    Derivatives<W> g;
     regular_derivatives<W>(points, first, g);
-    for (std::size_t r = 0; r < regular_patch::kRows; ++r) use(r, g[r]);
+    for (std::size_t r = 0; r < regular_patch::kRows; ++r) {
+      Vectors<W> v;
+      g.get(r, v);
+      use(r, v);
+    }
   } else {
     for (std::size_t r = 0; r < kind.rows.size(); ++r) {
       Vectors<W> g;
@@ -488,7 +545,7 @@ template <class W>
     Vectors<W> q;
     derive<W>(kind, row, reference, first, g);
     derive<W>(kind, row, x, first, q);
-    cross_twice<W>(laws + r, &g, 1, &q);
+    cross_twice<W>(laws[r], g, q);
     for (std::size_t i = row.begin; i < row.end; ++i) {
       LaneVectors& to = sums[kind.column[i]];
       for (std::size_t c = 0; c < 3; ++c) at<W>(to.of[c] + first) += kind.weight[i] * q.of[c];
@@ -496,35 +553,40 @@ template <class W>
   }
 }
 
+// First the blocks of all rows, then their sums: so these stay in registers.
 template <class W>
 [[gnu::always_inline]] inline void diagonal_of(const CrossKind& kind, const RowLaw* laws,
                                                const LaneVectors* reference, std::size_t first,
                                                LaneBlock* sums, LaneVectors* work) {
   using Numbers = typename W::Numbers;
-  for (std::size_t k = 0; k < kind.columns; ++k) {
-    for (auto& numbers : sums[k].of) at<W>(numbers + first) = Numbers{};
-  }
-  const auto add = [&](std::size_t r, const Vectors<W>& g) __attribute__((always_inline)) {
-    const CrossKind::Row& row = kind.rows[r];
+  auto* const blocks = reinterpret_cast<LaneBlock*>(work + kind.fine_points());
+  const auto keep = [&](std::size_t r, const Vectors<W>& g) __attribute__((always_inline)) {
     Numbers square;
     Numbers w;
-    Numbers reciprocal;
+    Numbers only;
     dot<W>(g, g, square);
-    divisor<W>(laws[r], square, reciprocal);
-    reciprocal = 1 / reciprocal;
-    weigh<W>(laws[r], square, reciprocal, w);
+    divisor<W, true>(laws[r], square, only);
+    weigh<W, true>(laws[r], square, 1 / only, w);
     const Numbers& x = g.of[0];
     const Numbers& y = g.of[1];
     const Numbers& z = g.of[2];
-    const Numbers block[6] = {w * (square - x * x), -w * x * y, -w * x * z,
-                              w * (square - y * y), -w * y * z, w * (square - z * z)};
-    for (std::size_t i = row.begin; i < row.end; ++i) {
-      const double factor = kind.square[i];
-      LaneBlock& to = sums[kind.column[i]];
-      for (std::size_t k = 0; k < 6; ++k) at<W>(to.of[k] + first) += factor * block[k];
-    }
+    at<W>(blocks[r].of[0] + first) = w * (square - x * x);
+    at<W>(blocks[r].of[1] + first) = -w * x * y;
+    at<W>(blocks[r].of[2] + first) = -w * x * z;
+    at<W>(blocks[r].of[3] + first) = w * (square - y * y);
+    at<W>(blocks[r].of[4] + first) = -w * y * z;
+    at<W>(blocks[r].of[5] + first) = w * (square - z * z);
   };
-  for_derivatives<W>(kind, reference, first, work, add);
+  for_derivatives<W>(kind, reference, first, work, keep);
+  for (std::size_t c = 0; c < kind.columns; ++c) {
+    Numbers sum[6] = {};
+    for (const CrossKind::Entry& entry : kind.of_column[c]) {
+      for (std::size_t k = 0; k < 6; ++k) {
+        sum[k] += entry.square * at<W>(blocks[entry.row].of[k] + first);
+      }
+    }
+    for (std::size_t k = 0; k < 6; ++k) at<W>(sums[c].of[k] + first) = sum[k];
+  }
 }
 
 }  // namespace

@@ -10,12 +10,14 @@
 namespace surpass {
 
 /// The weight of a row times its count, from g.g of the reference's derivative g: numerator /
-/// (slope g.g + constant), but 0 where g.g is not above the threshold.
+/// (slope g.g + constant), but 0 where g.g is not above the threshold. All rows of a kind have
+/// thresholds, or none has.
 struct RowLaw {
   double numerator = 0;
   double slope = 0;
   double constant = 1;
   double threshold = -1;
+  [[nodiscard]] bool is_bounded() const { return threshold >= 0; }
 };
 
 /// The rows of a kind of patch without their zeros, and without mixed derivatives.
@@ -31,7 +33,14 @@ struct CrossKind {
   std::vector<Row> rows;
   std::vector<unsigned> column;  ///< of row r: column[begin] to column[end - 1]
   std::vector<double> weight;    ///< as many
-  std::vector<double> square;    ///< as many: of the weights divided by the row's scale
+
+  /// The other way round: the rows that have a column, and the squares of their weights there,
+  /// divided by their scales.
+  struct Entry {
+    std::size_t row;
+    double square;
+  };
+  std::vector<std::vector<Entry>> of_column;
   /// A regular patch three samples along its side, of which two sides belong to its neighbours: the
   /// rows are found by one refinement, then differences, with a third of the operations.
   bool is_regular = false;
@@ -43,7 +52,7 @@ struct CrossKind {
   /// Fine points of a star.
   [[nodiscard]] std::size_t fine_points() const;
   /// What the functions below need besides.
-  [[nodiscard]] std::size_t work_size() const { return 3 * fine_points(); }
+  [[nodiscard]] std::size_t work_size() const { return 3 * fine_points() + 2 * rows.size(); }
 
  private:
   bool add_star(const PatchKind& kind);

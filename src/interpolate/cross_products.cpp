@@ -1,7 +1,7 @@
 // The similarity of directions: Lai and Cheng 2006, equations 3 and 5. As |g x q|^2 = |g|^2 |q|^2 -
 // (g.q)^2, each row's part of H is its weights' squares times the block |g|^2 I - g g'. Nothing is
-// kept of the reference's derivatives g: they are a gigabyte at a million faces, and reading them
-// takes about as long as computing them again.
+// kept of the reference's derivatives g: they are two gigabytes at a million faces, and reading
+// them takes about as long as computing them again.
 #include <algorithm>
 #include <array>
 
@@ -128,7 +128,9 @@ double CrossProducts::product(const Context& context, std::size_t, std::span<con
                               std::span<double> y) const {
   const auto work = [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
     const double* const reference = reference_of(chunk);
-    const auto own = chunk.copy(3, kPointStride, x);
+    const std::size_t size = kPointStride * chunk.points.size();
+    const auto own = std::make_unique_for_overwrite<double[]>(size);
+    chunk.copy_to(3, kPointStride, x, own.get());
     std::vector<LaneVectors> at_reference(most_columns_);
     std::vector<LaneVectors> at_x(most_columns_);
     std::vector<LaneVectors> sums(most_columns_);
@@ -136,12 +138,12 @@ double CrossProducts::product(const Context& context, std::size_t, std::span<con
     layout_.for_groups(chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
       const CrossKind& kind = kinds_[number];
       gather_points(local, kind.columns, lanes, reference, at_reference.data());
-      gather_points(local, kind.columns, lanes, own.data(), at_x.data());
+      gather_points(local, kind.columns, lanes, own.get(), at_x.data());
       gradient_of_patches(kind, scaled_laws_[number].data(), at_reference.data(), at_x.data(),
                           sums.data(), places.data());
       scatter_points(local, kind.columns, lanes, sums.data(), values.data());
     });
-    return dot_of_points(own, values);
+    return dot_of_points({own.get(), size}, values);
   };
   return layout_.add_up(context, 3, kPointStride, y, work);
 }

@@ -13,34 +13,82 @@ struct Lengths {
 
 // The arrays are far larger than any cache, and what is done with their numbers takes no time. So
 // each function is one pass over them, and the preconditioned gradient is computed where it is
-// needed: once for its length, once for the direction.
+// needed: once for its length, once for the direction. Three numbers a point, the case that
+// matters, stay in registers.
+
+// Room for those of a point; kWidth is 0 for any width.
+template <std::size_t kWidth>
+class Numbers {
+ public:
+  explicit Numbers(std::size_t width) : numbers_(kWidth == 0 ? width : 0) {}
+  [[nodiscard]] double* place() { return kWidth == 0 ? numbers_.data() : fixed_; }
+
+ private:
+  double fixed_[kWidth == 0 ? 1 : kWidth] = {};
+  std::vector<double> numbers_;
+};
+
+template <std::size_t kWidth>
+Lengths descend_range(const FreeSystem& system, const FreePreconditioner& preconditioner,
+                      double length, const double* image, double* gradient, std::size_t begin,
+                      std::size_t end) {
+  const std::size_t width = kWidth == 0 ? system.width : kWidth;
+  Numbers<kWidth> r(width);
+  Numbers<kWidth> z(width);
+  Lengths sums;
+  for (std::size_t j = begin; j < end; ++j) {
+    double squared = 0;
+    double rho = 0;
+    for (std::size_t c = 0; c < width; ++c) {
+      r.place()[c] = gradient[j * width + c] + length * image[j * width + c];
+    }
+    preconditioner.times<kWidth>(j, r.place(), z.place());
+    for (std::size_t c = 0; c < width; ++c) {
+      gradient[j * width + c] = r.place()[c];
+      squared += r.place()[c] * r.place()[c];
+      rho += r.place()[c] * z.place()[c];
+    }
+    sums.squared += squared;
+    sums.rho += rho;
+  }
+  return sums;
+}
 
 // The gradient goes along the direction by that direction's image.
 Lengths descend(const FreeSystem& system, const FreePreconditioner& preconditioner, double length,
                 std::span<const double> image, std::span<double> gradient) {
-  const std::size_t width = system.width;
+  const auto range = system.width == 3 ? descend_range<3> : descend_range<0>;
   return parallel::reduce(
       system.context, system.elimination.control_count(), Lengths{},
       [&](std::size_t begin, std::size_t end) {
-        Lengths sums;
-        for (std::size_t j = begin; j < end; ++j) {
-          for (std::size_t c = j * width; c < (j + 1) * width; ++c) {
-            gradient[c] += length * image[c];
-          }
-          double squared = 0;
-          double rho = 0;
-          preconditioner.apply(j, gradient, [&](std::size_t c, double z) {
-            squared += gradient[c] * gradient[c];
-            rho += gradient[c] * z;
-          });
-          sums.squared += squared;
-          sums.rho += rho;
-        }
-        return sums;
+        return range(system, preconditioner, length, image.data(), gradient.data(), begin, end);
       },
       [](const Lengths& sum, const Lengths& part) {
         return Lengths{sum.squared + part.squared, sum.rho + part.rho};
       });
+}
+
+struct Turn {
+  double length;
+  double share;
+  const double* gradient;
+  double* direction;
+  double* x;
+};
+
+template <std::size_t kWidth>
+void turn_range(const FreeSystem& system, const FreePreconditioner& preconditioner, const Turn& by,
+                std::size_t begin, std::size_t end) {
+  const std::size_t width = kWidth == 0 ? system.width : kWidth;
+  Numbers<kWidth> z(width);
+  for (std::size_t j = begin; j < end; ++j) {
+    preconditioner.times<kWidth>(j, by.gradient + j * width, z.place());
+    for (std::size_t c = 0; c < width; ++c) {
+      const double direction = by.direction[j * width + c];
+      by.x[j * width + c] += by.length * direction;
+      by.direction[j * width + c] = by.share * direction - z.place()[c];
+    }
+  }
 }
 
 // x goes along the direction, which then becomes share times itself minus the preconditioned
@@ -48,15 +96,11 @@ Lengths descend(const FreeSystem& system, const FreePreconditioner& precondition
 void turn(const FreeSystem& system, const FreePreconditioner& preconditioner, double length,
           double share, std::span<const double> gradient, std::span<double> direction,
           std::span<double> x) {
-  parallel::for_ranges(system.context, system.elimination.control_count(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t j = begin; j < end; ++j) {
-                           preconditioner.apply(j, gradient, [&](std::size_t c, double z) {
-                             x[c] += length * direction[c];
-                             direction[c] = share * direction[c] - z;
-                           });
-                         }
-                       });
+  const auto range = system.width == 3 ? turn_range<3> : turn_range<0>;
+  const Turn by{length, share, gradient.data(), direction.data(), x.data()};
+  parallel::for_ranges(
+      system.context, system.elimination.control_count(),
+      [&](std::size_t begin, std::size_t end) { range(system, preconditioner, by, begin, end); });
 }
 
 void move(const FreeSystem& system, double length, std::span<const double> direction,

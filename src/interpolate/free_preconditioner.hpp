@@ -9,21 +9,17 @@ class FreePreconditioner {
  public:
   explicit FreePreconditioner(const FreeSystem& system);
 
-  /// use(i, z) for each number i of point j: z is that of the inverse block times those of r.
-  template <class Use>
-  void apply(std::size_t j, std::span<const double> r, Use&& use) const {
-    const std::size_t at = j * width_;
+  /// z = the inverse block of point j times r, `kWidth` numbers or, for 0, as many as there are.
+  template <std::size_t kWidth>
+  void times(std::size_t j, const double* r, double* z) const {
     const double* d = &inverse_[j * block_];
-    if (block_ == 1) {
-      for (std::size_t i = at; i < at + width_; ++i) use(i, d[0] * r[i]);
+    if (kWidth != 3 || block_ == 1) {
+      for (std::size_t c = 0; c < (kWidth == 0 ? width_ : kWidth); ++c) z[c] = d[0] * r[c];
       return;
     }
-    const double x = r[at];
-    const double y = r[at + 1];
-    const double z = r[at + 2];
-    use(at, d[0] * x + d[1] * y + d[2] * z);
-    use(at + 1, d[1] * x + d[3] * y + d[4] * z);
-    use(at + 2, d[2] * x + d[4] * y + d[5] * z);
+    z[0] = d[0] * r[0] + d[1] * r[1] + d[2] * r[2];
+    z[1] = d[1] * r[0] + d[3] * r[1] + d[4] * r[2];
+    z[2] = d[2] * r[0] + d[4] * r[1] + d[5] * r[2];
   }
 
   /// 1, or 6: as PatchEnergy::block_size().

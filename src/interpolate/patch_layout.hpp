@@ -51,17 +51,12 @@ class PatchLayout {
     std::size_t start;        ///< of its points among those of all chunks
 
     /// The points' numbers (#control points by width) together, `stride` from one to the next.
-    [[nodiscard]] std::vector<double> copy(std::size_t width, std::size_t stride,
-                                           std::span<const double> x) const {
-      std::vector<double> values(points.size() * stride);
-      copy_to(width, stride, x, values.data());
-      return values;
-    }
     void copy_to(std::size_t width, std::size_t stride, std::span<const double> x,
                  double* values) const {
       for (std::size_t k = 0; k < points.size(); ++k, values += stride) {
         if (k + kAhead < points.size()) __builtin_prefetch(x.data() + points[k + kAhead] * width);
         copy_numbers(x.data() + points[k] * width, width, values);
+        for (std::size_t c = width; c < stride; ++c) values[c] = 0;
       }
     }
   };
@@ -111,13 +106,10 @@ class PatchLayout {
       }
     });
     parallel::for_ranges(context, several_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        double* to = y.data() + several_[i] * width;
-        std::fill_n(to, width, 0.0);
-        for (Index k = occurs_[i]; k < occurs_[i + 1]; ++k) {
-          const double* from = shared.get() + std::size_t{places_[k]} * width;
-          for (std::size_t c = 0; c < width; ++c) to[c] += from[c];
-        }
+      if (width == 3) {
+        add_shared<3>(shared.get(), width, y.data(), begin, end);
+      } else {
+        add_shared<0>(shared.get(), width, y.data(), begin, end);
       }
     });
     return std::accumulate(parts.begin(), parts.end(), 0.0);
@@ -168,6 +160,26 @@ class PatchLayout {
   }
 
  private:
+  // The sums of the points of several chunks, from `begin` to `end`; kWidth is 0 for any width.
+  template <std::size_t kWidth>
+  void add_shared(const double* shared, std::size_t any_width, double* y, std::size_t begin,
+                  std::size_t end) const {
+    const std::size_t width = kWidth == 0 ? any_width : kWidth;
+    const Index last = occurs_[end];
+    for (std::size_t i = begin; i < end; ++i) {
+      double* to = y + several_[i] * width;
+      double in_registers[kWidth == 0 ? 1 : kWidth];
+      double* const sum = kWidth == 0 ? to : in_registers;
+      for (std::size_t c = 0; c < width; ++c) sum[c] = 0;
+      for (Index k = occurs_[i]; k < occurs_[i + 1]; ++k) {
+        if (last - k > kAhead) __builtin_prefetch(shared + places_[k + kAhead] * width);
+        const double* from = shared + places_[k] * width;
+        for (std::size_t c = 0; c < width; ++c) sum[c] += from[c];
+      }
+      for (std::size_t c = 0; c < kWidth; ++c) to[c] = sum[c];
+    }
+  }
+
   void cut();
   void number_points();
   void share_points();

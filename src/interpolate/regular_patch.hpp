@@ -82,12 +82,26 @@ struct View {
 using AlongSide0 = View<0, 1, 5>;
 using AlongSide1 = View<24, -5, -1>;
 
-template <class V, class T>
-[[gnu::always_inline]] inline void half_rows(const T* f, T* rows) {
+// sum = of the line's fine points at i, 1 4 1 across, from `kFrom` on. The place is a constant, so
+// that fine points that are not in an array are found without a search.
+template <class V, int kAt, int kFrom, class Fine, class T>
+[[gnu::always_inline]] inline void add_across(const Fine& f, T& sum) {
+  sum = f[V::at(kAt, kFrom)] + 4 * f[V::at(kAt, kFrom + 1)] + f[V::at(kAt, kFrom + 2)];
+}
+
+template <class V, class Fine, class T>
+[[gnu::always_inline]] inline void half_rows(const Fine& f, T* rows) {
   alignas(kLaneAlignment) T s[5];
   alignas(kLaneAlignment) T t[5];
-  for (int i = 0; i < 5; ++i) s[i] = f[V::at(i, 0)] + 4 * f[V::at(i, 1)] + f[V::at(i, 2)];
-  for (int i = 1; i < 5; ++i) t[i] = f[V::at(i, 1)] + 4 * f[V::at(i, 2)] + f[V::at(i, 3)];
+  add_across<V, 0, 0>(f, s[0]);
+  add_across<V, 1, 0>(f, s[1]);
+  add_across<V, 2, 0>(f, s[2]);
+  add_across<V, 3, 0>(f, s[3]);
+  add_across<V, 4, 0>(f, s[4]);
+  add_across<V, 1, 1>(f, t[1]);
+  add_across<V, 2, 1>(f, t[2]);
+  add_across<V, 3, 1>(f, t[3]);
+  add_across<V, 4, 1>(f, t[4]);
   rows[0] = s[2] - s[0];
   rows[1] = s[3] - s[1];
   rows[2] = s[4] - s[2];
@@ -127,14 +141,18 @@ template <class V, class T>
 
 // The same two where the origin of the view is an irregular corner: rows 0 and 5 are not there, and
 // row 10 is the third derivative beyond it.
-template <class V, class T>
-[[gnu::always_inline]] inline void half_rows_beyond(const T* f, T* rows) {
+template <class V, class Fine, class T>
+[[gnu::always_inline]] inline void half_rows_beyond(const Fine& f, T* rows) {
   alignas(kLaneAlignment) T s[5];
   alignas(kLaneAlignment) T t[5];
-  for (int i = 1; i < 5; ++i) {
-    s[i] = f[V::at(i, 0)] + 4 * f[V::at(i, 1)] + f[V::at(i, 2)];
-    t[i] = f[V::at(i, 1)] + 4 * f[V::at(i, 2)] + f[V::at(i, 3)];
-  }
+  add_across<V, 1, 0>(f, s[1]);
+  add_across<V, 2, 0>(f, s[2]);
+  add_across<V, 3, 0>(f, s[3]);
+  add_across<V, 4, 0>(f, s[4]);
+  add_across<V, 1, 1>(f, t[1]);
+  add_across<V, 2, 1>(f, t[2]);
+  add_across<V, 3, 1>(f, t[3]);
+  add_across<V, 4, 1>(f, t[4]);
   rows[1] = s[3] - s[1];
   rows[2] = s[4] - s[2];
   rows[3] = t[3] - t[1];
@@ -167,16 +185,18 @@ template <class V, class T>
 
 // The third derivative of the line in the middle, before that of row 11. They differ where a corner
 // of the patch is irregular.
-inline constexpr double kThird[4] = {-1, 3, -3, 1};
-template <class V, class T>
-[[gnu::always_inline]] inline void third_before(const T* f, T& row) {
-  row = T{};
-  for (int i = 0; i < 4; ++i) {
-    row += kThird[i] * (f[V::at(i, 1)] + 4 * f[V::at(i, 2)] + f[V::at(i, 3)]);
-  }
+template <class V, class Fine, class T>
+[[gnu::always_inline]] inline void third_before(const Fine& f, T& row) {
+  alignas(kLaneAlignment) T t[4];
+  add_across<V, 0, 1>(f, t[0]);
+  add_across<V, 1, 1>(f, t[1]);
+  add_across<V, 2, 1>(f, t[2]);
+  add_across<V, 3, 1>(f, t[3]);
+  row = 3 * (t[1] - t[2]) + (t[3] - t[0]);
 }
 template <class V, class T>
 [[gnu::always_inline]] inline void collect_third_before(const T& row, T* f) {
+  constexpr double kThird[4] = {-1, 3, -3, 1};
   for (int i = 0; i < 4; ++i) {
     const T t = kThird[i] * row;
     f[V::at(i, 1)] += t;

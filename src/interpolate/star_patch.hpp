@@ -4,7 +4,9 @@
 // a patch's rows different.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <utility>
 
 #include "interpolate/regular_patch.hpp"
 
@@ -138,61 +140,85 @@ template <class T, class Fine, class Points>
   }
 }
 
-/// Calls use(place in a patch's five by five fine points, number of the star's fine point) for
-/// those that the rows of patch k need.
+/// Of the places of a patch's five by five fine points, those that rows of a star's patches
+/// need.
+inline constexpr std::array<std::size_t, 24> kPlaces = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 21, 22, 23, 24};
+
+/// use(place) for each of them, a constant once this is compiled.
 template <class Use>
-[[gnu::always_inline]] inline void for_window(Faces faces, std::size_t k, bool regular, Use&& use) {
-  const std::size_t at = 1 + kFine * k;
-  const std::size_t before = 1 + kFine * faces.before(k);
-  const std::size_t next = 1 + kFine * faces.after(k);
-  const std::size_t across = 1 + kFine * faces.after(faces.after(k));
-  if (regular) use(0, across + 1);
-  if (!regular) use(15, next + 3);
-  use(5, across);
-  use(10, next + 1);
-  use(1, before);
-  use(2, before + 1);
-  use(3, before + 5);
-  use(4, before + 11);
-  use(6, 0);
-  use(7, at);
-  use(8, at + 2);
-  use(9, at + 6);
-  use(11, next);
-  use(12, at + 1);
-  use(13, at + 3);
-  use(14, at + 7);
-  use(16, next + 2);
-  use(17, at + 5);
-  use(18, at + 4);
-  use(19, at + 8);
-  use(21, next + 6);
-  use(22, at + 11);
-  use(23, at + 10);
-  use(24, at + 9);
+[[gnu::always_inline]] inline void for_places(Use&& use) {
+  [&]<std::size_t... kAt>(std::index_sequence<kAt...>) __attribute__((always_inline)) {
+    (use(kPlaces[kAt]), ...);
+  }
+  (std::make_index_sequence<kPlaces.size()>());
 }
+
+/// The star's fine points at the places of a patch's.
+class Window {
+ public:
+  [[gnu::always_inline]] Window(Faces faces, std::size_t k)
+      : own_(1 + kFine * k),
+        before_(1 + kFine * faces.before(k)),
+        next_(1 + kFine * faces.after(k)),
+        across_(1 + kFine * faces.after(faces.after(k))) {}
+
+  /// To be called with constants: then there is nothing to choose.
+  [[nodiscard, gnu::always_inline]] std::size_t fine(std::size_t place) const {
+    switch (place) {
+      case 0: return across_ + 1;
+      case 1: return before_;
+      case 2: return before_ + 1;
+      case 3: return before_ + 5;
+      case 4: return before_ + 11;
+      case 5: return across_;
+      case 7: return own_;
+      case 8: return own_ + 2;
+      case 9: return own_ + 6;
+      case 10: return next_ + 1;
+      case 11: return next_;
+      case 12: return own_ + 1;
+      case 13: return own_ + 3;
+      case 14: return own_ + 7;
+      case 15: return next_ + 3;
+      case 16: return next_ + 2;
+      case 17: return own_ + 5;
+      case 18: return own_ + 4;
+      case 19: return own_ + 8;
+      case 21: return next_ + 6;
+      case 22: return own_ + 11;
+      case 23: return own_ + 10;
+      case 24: return own_ + 9;
+      default: return 0;  // 6, the centre
+    }
+  }
+
+ private:
+  std::size_t own_;
+  std::size_t before_;
+  std::size_t next_;
+  std::size_t across_;
+};
 
 /// The rows of a patch from its fine points, as regular_patch::derivatives() ends; those that are
 /// not told are left as they are.
-template <class T>
-[[gnu::always_inline]] inline void rows_of_patch(const T* window, bool regular, T* rows) {
-  using namespace regular_patch;
-  half_rows<AlongSide1>(window, rows + kRows / 2);
-  if (regular) return half_rows<AlongSide0>(window, rows);
-  half_rows_beyond<AlongSide0>(window, rows);
-  third_before<AlongSide0>(window, rows[kThirdAlong0]);
-  third_before<AlongSide1>(window, rows[kThirdAlong1]);
+template <class Fine, class T>
+[[gnu::always_inline]] inline void rows_of_patch(const Fine& window, bool regular, T* rows) {
+  regular_patch::half_rows<regular_patch::AlongSide1>(window, rows + regular_patch::kRows / 2);
+  if (regular) return regular_patch::half_rows<regular_patch::AlongSide0>(window, rows);
+  regular_patch::half_rows_beyond<regular_patch::AlongSide0>(window, rows);
+  regular_patch::third_before<regular_patch::AlongSide0>(window, rows[kThirdAlong0]);
+  regular_patch::third_before<regular_patch::AlongSide1>(window, rows[kThirdAlong1]);
 }
 
 /// The transposed; adds to the window.
 template <class T>
 [[gnu::always_inline]] inline void collect_patch(const T* rows, bool regular, T* window) {
-  using namespace regular_patch;
-  collect_half<AlongSide1>(rows + kRows / 2, window);
-  if (regular) return collect_half<AlongSide0>(rows, window);
-  collect_half_beyond<AlongSide0>(rows, window);
-  collect_third_before<AlongSide0>(rows[kThirdAlong0], window);
-  collect_third_before<AlongSide1>(rows[kThirdAlong1], window);
+  regular_patch::collect_half<regular_patch::AlongSide1>(rows + regular_patch::kRows / 2, window);
+  if (regular) return regular_patch::collect_half<regular_patch::AlongSide0>(rows, window);
+  regular_patch::collect_half_beyond<regular_patch::AlongSide0>(rows, window);
+  regular_patch::collect_third_before<regular_patch::AlongSide0>(rows[kThirdAlong0], window);
+  regular_patch::collect_third_before<regular_patch::AlongSide1>(rows[kThirdAlong1], window);
 }
 
 }  // namespace surpass::star_patch

@@ -146,12 +146,14 @@ double SumOfSquares::product(const Context& context, std::size_t width, std::spa
   const bool abreast = width == 3;
   const std::size_t stride = abreast ? kPointStride : width;
   const auto work = [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-    const auto own = chunk.copy(width, stride, x);
+    const std::size_t size = stride * chunk.points.size();
+    const auto own = std::make_unique_for_overwrite<double[]>(size);
+    chunk.copy_to(width, stride, x, own.get());
     std::vector<LaneVectors> points;
     std::vector<LaneVectors> sums;
     layout_.for_groups(chunk, [&](Index kind, const LocalIndex* local, std::size_t lanes) {
       const KindForm& f = forms_[kind];
-      Group at{local, width, stride, own.data(), values.data()};
+      Group at{local, width, stride, own.get(), values.data()};
       if (f.matrix.size() != 0 && abreast) {
         apply_matrix_abreast(f.matrix, lanes, at, points, sums);
         return;
@@ -161,7 +163,7 @@ double SumOfSquares::product(const Context& context, std::size_t width, std::spa
         if (f.matrix.size() != 0) apply_matrix(f.matrix, at);
       }
     });
-    return dot_of_points(own, values);
+    return dot_of_points({own.get(), size}, values);
   };
   return layout_.add_up(context, width, stride, y, work);
 }
