@@ -69,14 +69,14 @@ WeightRows star_rows(star_patch::Faces faces) {
 
 // The same up to the sign, which has no meaning here.
 bool same_row(std::span<const double> a, std::span<const double> b) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kNegligible = 1e-12;
   double plus = 0;
   double minus = 0;
   for (std::size_t c = 0; c < a.size(); ++c) {
     plus = std::max(plus, std::abs(a[c] - b[c]));
     minus = std::max(minus, std::abs(a[c] + b[c]));
   }
-  return std::min(plus, minus) < kRounding;
+  return std::min(plus, minus) < kNegligible;
 }
 
 // Takes the row of this order and these weights out of `left`, which are rows of the kind.

@@ -100,9 +100,9 @@ std::string named(std::size_t number, const Requirement& r) {
   return fmt::format("{} ({})", number, describe(r));
 }
 
-using Group = std::vector<std::size_t>;
+using Numbers = std::vector<std::size_t>;
 
-Result<void> check_group(const Group& group, std::span<const Requirement> requirements,
+Result<void> check_group(const Numbers& group, std::span<const Requirement> requirements,
                          std::span<const SurfaceStencil> stencils,
                          std::span<const std::array<double, 2>> along) {
   std::vector<Wish> wishes;
@@ -153,7 +153,7 @@ bool collapsed(const std::vector<Vector3>& tangents, double side) {
 Result<void> check_tangents(std::span<const Requirement> requirements,
                             std::span<const SurfaceStencil> stencils,
                             std::span<const std::array<double, 2>> along) {
-  std::map<std::vector<Index>, Group> groups;
+  std::map<std::vector<Index>, Numbers> groups;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     if (!is_of_tangents(requirements[i].kind)) continue;
     groups[key_of(stencils[i])].push_back(i);
