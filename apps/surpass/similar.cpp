@@ -59,6 +59,18 @@ std::optional<std::vector<Point>> vertex_normals(const Mesh& mesh) {
   return normals;
 }
 
+/// Faces from their smallest vertex on, in order: equal where meshes differ in how they list them.
+std::vector<std::vector<Index>> turned_faces(const Mesh& mesh) {
+  std::vector<std::vector<Index>> faces;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    auto& turned = faces.emplace_back(face.begin(), face.end());
+    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 }  // namespace
 
 const char* name_of(Method method) {
@@ -95,7 +107,8 @@ void Similar::define(Options& options) {
   grouped(options
               .add("--reference", reference_path_,
                    "Another reference: a mesh with the faces of the given one, or of that refined "
-                   "once, whose surface is the one to resemble")
+                   "once, whose surface is the one to resemble; under the method fair iterations "
+                   "start there")
               .type_name("MESH"));
   grouped(options
               .add("--requirements", requirements_path_,
@@ -184,15 +197,20 @@ Result<void> Similar::load_reference(const Mesh& given, Session& session) {
   Result<LoadedMesh> loaded = load_mesh(reference_path_, Format::automatic, session);
   if (!loaded) return tl::make_unexpected(loaded.error());
   const Mesh& mesh = loaded->mesh;
-  const auto same_faces = [&](const Mesh& other) {
-    return mesh.face_offsets == other.face_offsets && mesh.face_vertices == other.face_vertices;
-  };
-  const bool same = mesh.points.size() == given.points.size() && same_faces(given);
-  if (!same && !same_faces(solver_->refined())) {
+  const auto faces = turned_faces(mesh);
+  const bool same = mesh.points.size() == given.points.size() && faces == turned_faces(given);
+  if (!same && faces != turned_faces(solver_->refined())) {
     return fail(ErrorCode::mismatch,
                 fmt::format("{} has neither the faces of the given mesh nor those of that mesh "
                             "refined once, vertex by vertex",
                             reference_path_));
+  }
+  if ((!mesh.creases.empty() || !mesh.corners.empty()) &&
+      (mesh.creases != given.creases || mesh.corners != given.corners)) {
+    session.console.note(
+        fmt::format("creases and corners of {} are not used; those of the given "
+                    "mesh hold for its surface, too",
+                    reference_path_));
   }
   reference_ = std::move(loaded->mesh.points);
   return {};
@@ -220,6 +238,10 @@ Result<void> Similar::load_requirements(const Mesh& given, Session& session) {
     auto read = read_requirements(requirements_path_);
     if (!read) return tl::make_unexpected(read.error());
     requirements_ = std::move(*read);
+    if (session.report.contains("mended")) {
+      session.console.note(fmt::format("vertices and faces in {} are counted in the mended mesh",
+                                       requirements_path_));
+    }
   }
   if (normals_path_.empty()) return {};
   const auto normals = load_normals(given, session);
@@ -287,6 +309,14 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
   }
   session.report["similarity"] = std::move(similarity);
   given = std::move(solution->targets);
+  constexpr double kFarOut = 100;
+  const double size = bounding_box(solution->points).side() / bounding_box(given).side();
+  if (!requirements_.empty() && size > kFarOut) {
+    session.console.note(fmt::format(
+        "the control mesh is {:.0f} times as large as the given one: a requirement asks for "
+        "something that the surface can hardly do",
+        size));
+  }
   mesh = solver_->refined();
   mesh.points = std::move(solution->points);
   mesh.channels = std::move(solution->channels);

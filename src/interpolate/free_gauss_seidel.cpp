@@ -1,3 +1,5 @@
+#include <optional>
+
 #include <Eigen/SparseCore>
 
 #include "interpolate/free_progress.hpp"
@@ -18,8 +20,10 @@ class Assembly {
   Assembly(const FreeSystem& system, const PatchLayout& layout)
       : system_(system), layout_(layout), parts_(system.energy.block_size() == 1 ? 1 : 3) {}
 
-  [[nodiscard]] Sparse matrix() const {
+  /// Nothing if the computation was cancelled meanwhile: it takes as long as many sweeps.
+  [[nodiscard]] std::optional<Sparse> matrix() const {
     const Sparse h = energy();
+    if (system_.context.cancelled()) return std::nullopt;
     const Sparse z = extension();
     return Sparse(z.transpose()) * h * z;
   }
@@ -36,7 +40,11 @@ class Assembly {
       entries.clear();
     };
     constexpr std::size_t kEntries = 20000000;
+    constexpr Index kPatches = 256;
+    bool cancelled = false;
     layout_.for_patches([&](Index p, std::span<const Index> columns) {
+      if (p % kPatches == 0) cancelled = cancelled || system_.context.cancelled();
+      if (cancelled) return;
       system_.energy.for_blocks(p, columns, [&](std::size_t a, std::size_t b, const double* block) {
         for (std::size_t i = 0; i < parts_; ++i) {
           for (std::size_t j = 0; j < parts_; ++j) {
@@ -143,9 +151,10 @@ FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout, co
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
   const Assembly assembly(system, layout);
-  const Sparse matrix = assembly.matrix();
+  const auto assembled = assembly.matrix();
   const std::size_t width = system.width / assembly.parts();
-  while (progress.goes_on()) {
+  while (progress.goes_on() && assembled) {
+    const Sparse& matrix = *assembled;
     if (system.constraints == nullptr) {
       sweep(matrix, width, gradient, change);
     } else if (!constrained_sweep(system, matrix, width, gradient, change)) {

@@ -132,6 +132,18 @@ TEST(Interpolate, AReferenceMayBeGivenOrRefined) {
   ASSERT_EQ(run({"--reference", folder / "r.ply"}, "c.ply"), 0);
   EXPECT_EQ(mesh_of(folder / "a.ply").points, mesh_of(folder / "b.ply").points);
   EXPECT_EQ(mesh_of(folder / "a.ply").points, mesh_of(folder / "c.ply").points);
+  // The same faces, listed backwards and from other vertices on.
+  const Mesh as_it_was = mesh_of(given);
+  Mesh turned;
+  turned.points = as_it_was.points;
+  for (Index f = as_it_was.face_count(); f > 0; --f) {
+    std::vector<Index> face(as_it_was.face(f - 1).begin(), as_it_was.face(f - 1).end());
+    std::rotate(face.begin(), face.begin() + 1, face.end());
+    turned.add_face(face);
+  }
+  ASSERT_TRUE(write_mesh(turned, folder / "turned.ply"));
+  ASSERT_EQ(run({"--reference", folder / "turned.ply"}, "t.ply"), 0);
+  EXPECT_EQ(mesh_of(folder / "a.ply").points, mesh_of(folder / "t.ply").points);
   EXPECT_EQ(run({"--reference", data("cube.obj")}, "d.ply"), 3);
   EXPECT_EQ(run({"--reference", folder / "none.ply"}, "d.ply"), 2);
 }
