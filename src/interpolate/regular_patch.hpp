@@ -89,11 +89,10 @@ template <class V, int kAt, int kFrom, class Fine, class T>
   sum = f[V::at(kAt, kFrom)] + 4 * f[V::at(kAt, kFrom + 1)] + f[V::at(kAt, kFrom + 2)];
 }
 
+// The rows that do not see the origin of the view, and s, the sums along the first line, from 1 on.
 template <class V, class Fine, class T>
-[[gnu::always_inline]] inline void half_rows(const Fine& f, T* rows) {
-  alignas(kLaneAlignment) T s[5];
+[[gnu::always_inline]] inline void half_rows_inside(const Fine& f, T* rows, T* s) {
   alignas(kLaneAlignment) T t[5];
-  add_across<V, 0, 0>(f, s[0]);
   add_across<V, 1, 0>(f, s[1]);
   add_across<V, 2, 0>(f, s[2]);
   add_across<V, 3, 0>(f, s[3]);
@@ -102,18 +101,25 @@ template <class V, class Fine, class T>
   add_across<V, 2, 1>(f, t[2]);
   add_across<V, 3, 1>(f, t[3]);
   add_across<V, 4, 1>(f, t[4]);
-  rows[0] = s[2] - s[0];
   rows[1] = s[3] - s[1];
   rows[2] = s[4] - s[2];
   rows[3] = t[3] - t[1];
   rows[4] = t[4] - t[2];
-  rows[5] = s[0] - 2 * s[1] + s[2];
   rows[6] = s[1] - 2 * s[2] + s[3];
   rows[7] = s[2] - 2 * s[3] + s[4];
   rows[8] = t[1] - 2 * t[2] + t[3];
   rows[9] = t[2] - 2 * t[3] + t[4];
-  rows[10] = rows[6] - rows[5];
   rows[11] = rows[9] - rows[8];
+}
+
+template <class V, class Fine, class T>
+[[gnu::always_inline]] inline void half_rows(const Fine& f, T* rows) {
+  alignas(kLaneAlignment) T s[5];
+  half_rows_inside<V>(f, rows, s);
+  add_across<V, 0, 0>(f, s[0]);
+  rows[0] = s[2] - s[0];
+  rows[5] = s[0] - 2 * s[1] + s[2];
+  rows[10] = rows[6] - rows[5];
 }
 
 template <class V, class T>
@@ -144,25 +150,8 @@ template <class V, class T>
 template <class V, class Fine, class T>
 [[gnu::always_inline]] inline void half_rows_beyond(const Fine& f, T* rows) {
   alignas(kLaneAlignment) T s[5];
-  alignas(kLaneAlignment) T t[5];
-  add_across<V, 1, 0>(f, s[1]);
-  add_across<V, 2, 0>(f, s[2]);
-  add_across<V, 3, 0>(f, s[3]);
-  add_across<V, 4, 0>(f, s[4]);
-  add_across<V, 1, 1>(f, t[1]);
-  add_across<V, 2, 1>(f, t[2]);
-  add_across<V, 3, 1>(f, t[3]);
-  add_across<V, 4, 1>(f, t[4]);
-  rows[1] = s[3] - s[1];
-  rows[2] = s[4] - s[2];
-  rows[3] = t[3] - t[1];
-  rows[4] = t[4] - t[2];
-  rows[6] = s[1] - 2 * s[2] + s[3];
-  rows[7] = s[2] - 2 * s[3] + s[4];
-  rows[8] = t[1] - 2 * t[2] + t[3];
-  rows[9] = t[2] - 2 * t[3] + t[4];
+  half_rows_inside<V>(f, rows, s);
   rows[10] = rows[7] - rows[6];
-  rows[11] = rows[9] - rows[8];
 }
 
 template <class V, class T>
