@@ -49,7 +49,8 @@ export function segmented<T extends string>(
 export function select<T extends string>(
   legend: string, choices: readonly Choice<T>[], chosen: T, change: (value: T) => void,
 ): HTMLLabelElement {
-  const input = element('select', { 'aria-label': legend });
+  // The name finds the control again where a form is drawn anew around the focus.
+  const input = element('select', { 'aria-label': legend, id: `select-${legend.toLowerCase()}` });
   for (const choice of choices) {
     const option = element('option', { value: choice.value }, choice.label);
     option.disabled = choice.disabled ?? false;
