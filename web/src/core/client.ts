@@ -38,7 +38,7 @@ async function unpack(base64: string): Promise<ArrayBuffer> {
 
 export class CoreClient {
   private readonly source: string;
-  private readonly wasm: Promise<ArrayBuffer>;
+  private wasm: Promise<ArrayBuffer> | undefined;
   private worker: Promise<Worker> | undefined;
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
@@ -49,16 +49,16 @@ export class CoreClient {
   private hasFile = false;
   private hasSolution = false;
 
-  constructor(files: CoreFiles) {
+  constructor(private readonly files: CoreFiles) {
     // A URL of a blob serves pages opened from a folder, too, where workers cannot be loaded.
     this.source = URL.createObjectURL(new Blob([files.worker], { type: 'text/javascript' }));
-    this.wasm = unpack(files.wasm);
   }
 
+  /** A file that is refused leaves the one before it where it is. */
   async load(bytes: Uint8Array<ArrayBuffer>, name: string, mend: Mend = {}): Promise<Loaded> {
     const loaded = await this.call('load', [bytes, name, mend]);
     this.file = { bytes, name, mend };
-    this.lastSolved = undefined;
+    this.lastSolved = this.plain = undefined;
     this.hasFile = true;
     this.hasSolution = false;
     return loaded;
@@ -67,7 +67,9 @@ export class CoreClient {
   async solve(options: SolveOptions, progress?: (p: Progress) => void): Promise<Solved> {
     await this.restoreFile();
     const answer: Answer = await this.call('solve', [options], progress);
-    const { plain = this.plain!.plain, pointErrors = this.plain!.pointErrors } = answer;
+    const plain = answer.plain ?? this.plain?.plain;
+    const pointErrors = answer.pointErrors ?? this.plain?.pointErrors;
+    if (!plain || !pointErrors) throw new CoreError({ code: 'page', message: 'The answer lacks the plain surface. Open the file again.' });
     this.plain = { plain, pointErrors };
     this.lastSolved = options;
     this.hasSolution = true;
@@ -79,9 +81,9 @@ export class CoreClient {
     return this.call('rivals', [options], progress);
   }
 
-  async written(what: Exportable, format: string): Promise<Written> {
+  async written(what: Exportable, format: string, progress?: (p: Progress) => void): Promise<Written> {
     await this.restoreFile();
-    if (what !== 'given' && !this.hasSolution && this.lastSolved) await this.solve(this.lastSolved);
+    if (what !== 'given' && !this.hasSolution && this.lastSolved) await this.solve(this.lastSolved, progress);
     return this.call('written', [what, format]);
   }
 
@@ -102,6 +104,7 @@ export class CoreClient {
   }
 
   private async start(): Promise<Worker> {
+    this.wasm ??= unpack(this.files.wasm);
     const wasm = (await this.wasm).slice(0);
     const worker = new Worker(this.source);
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
@@ -114,8 +117,10 @@ export class CoreClient {
     method: M, args: Parameters<CoreMethods[M]>, progress?: (p: Progress) => void,
   ): Promise<ReturnType<CoreMethods[M]>> {
     const id = this.next++;
-    this.worker ??= this.start();
-    const worker = await this.worker;
+    const starting = this.worker ??= this.start();
+    const worker = await starting;
+    // Given up while the worker started: it answers no more.
+    if (starting !== this.worker) throw new Cancelled();
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve: resolve as (value: unknown) => void, reject, progress });
       worker.postMessage({ id, method, arguments: args } satisfies Request);

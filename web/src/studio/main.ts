@@ -7,51 +7,44 @@ import { element } from '../viewer/dom';
 import { count } from '../viewer/figures';
 import { Stage } from '../viewer/stage';
 import { themeButton } from '../viewer/theme';
+import { Message, remedy } from './message';
 import { results, verdict } from './results';
 import { save, stem } from './save';
 import { Session, type Page } from './session';
-import { settingsForm } from './settings';
+import { differences, settingsForm, type Settings } from './settings';
+import { Sources, type Receiver } from './sources';
 
 declare global {
   interface Window {
-    /** By core.js and samples.js, which are loaded before this script. */
+    /** By core.js, which is loaded before this script. */
     surpassCoreFiles: CoreFiles;
-    surpassSamples: Record<string, string>;
     /** For measurements and tests. */
     surpassStudio?: { stage: Stage; session: Session };
   }
 }
 
-const kSampleNames: Record<string, string> = {
-  'jug.obj': 'Jug', 'twisted_ring.obj': 'Twisted ring', 'trefoil.ply': 'Trefoil knot',
-  'mixed_polygons.obj': 'Mixed polygons', 'crease_boundary.obj': 'Creases and boundary',
-  'double_torus.obj': 'Double torus', 'cube.obj': 'Cube', 'blob.stl': 'Blob',
-};
-const kFirstSample = 'jug.obj';
 /** A solve that is over sooner shows no progress. */
 const kPatience = 350;
 /** Settings that decide on no other control. */
 const kSliders = ['levels', 'stopAfter', 'tension', 'shape'];
-const kAccepted = '.obj,.ply,.off,.stl,.xyz,.pwn,.pts';
 
-class Studio implements Page {
+class Studio implements Page, Receiver {
   private readonly stage = new Stage();
-  private readonly session = new Session(new CoreClient(window.surpassCoreFiles), this);
-  private readonly chooser = element('input', { type: 'file', accept: kAccepted, hidden: '', 'aria-label': 'Mesh file' });
-  private readonly samples = element('select', { 'aria-label': 'Sample' });
+  private readonly session = new Session(
+    new CoreClient(window.surpassCoreFiles), new CoreClient(window.surpassCoreFiles), this);
+  private readonly sources = new Sources(this);
   private readonly meshBox = element('section');
   private readonly settingsBox = element('section');
   private readonly exportBox = element('section');
   private readonly resultsBox = element('aside', { class: 'panel right', 'aria-label': 'Results' });
   private readonly status = element('p', { class: 'status', role: 'status', 'aria-live': 'polite' });
-  private readonly message = element('div', { class: 'message', role: 'alert', hidden: '' });
+  private readonly message = new Message(() => { this.session.refused = undefined; });
   private readonly bar = element('div', { class: 'bar' });
   private readonly stageName = element('span');
   private readonly progress = element('div', { class: 'progress', hidden: '' });
   private readonly exportButton = element('button', { type: 'button', class: 'primary', disabled: '' }, 'Export control mesh');
-  /** The sample that is open, or none; and the one that is being opened. */
-  private sample = '';
-  private nextSample = '';
+  /** What else is to be said of the file. */
+  private note = '';
   private format = 'obj';
   private surfaceFormat = 'ply';
   private shown: ReturnType<typeof setTimeout> | undefined;
@@ -61,72 +54,38 @@ class Studio implements Page {
       element('aside', { class: 'panel left', 'aria-label': 'Settings' }, this.meshBox, this.settingsBox, this.exportBox),
       this.stage.root, this.resultsBox));
     const cancel = element('button', { type: 'button', class: 'small' }, 'Cancel');
-    cancel.addEventListener('click', () => {
-      this.session.cancel();
-      this.status.textContent = 'Cancelled. The picture shows what was found before.';
-    });
+    cancel.addEventListener('click', () => this.session.cancel());
     this.progress.append(element('div', { class: 'progress-text' }, this.stageName, cancel),
       element('div', { class: 'track', role: 'progressbar', 'aria-label': 'Progress', 'aria-valuemin': '0', 'aria-valuemax': '100' }, this.bar));
-    this.stage.frame.append(this.message, this.progress, element('div', { class: 'drop', 'aria-hidden': 'true' }, 'Drop to open'));
+    this.stage.frame.append(this.message.root, this.progress, element('div', { class: 'drop', 'aria-hidden': 'true' }, 'Drop to open'));
     this.stage.root.append(this.status);
-    this.acceptDrops();
     this.drawMeshBox();
-    void this.openSample(kFirstSample);
+    this.sources.start();
     window.surpassStudio = { stage: this.stage, session: this.session };
   }
 
   private header(): HTMLElement {
-    const open = element('button', { type: 'button' }, 'Open mesh…');
-    open.addEventListener('click', () => this.chooser.click());
-    this.chooser.addEventListener('change', () => {
-      const file = this.chooser.files?.[0];
-      if (file) void this.openFile(file);
-      this.chooser.value = '';
-    });
-    this.samples.append(element('option', { value: '', disabled: '' }, 'Samples'),
-      ...Object.keys(window.surpassSamples).map((file) => element('option', { value: file }, kSampleNames[file] ?? file)));
-    this.samples.addEventListener('change', () => void this.openSample(this.samples.value));
     this.exportButton.addEventListener('click', () => void (this.session.solved?.control
       ? this.exportMesh('control', this.format) : this.exportMesh('surface', this.surfaceFormat)));
     return element('header', { class: 'top' },
       element('h1', {}, 'Surpass ', element('span', { class: 'quiet' }, 'Studio')),
-      this.samples, open, this.exportButton, this.chooser, element('span', { class: 'space' }),
+      this.sources.samples, this.sources.button, this.exportButton, this.sources.chooser, element('span', { class: 'space' }),
       themeButton((dark) => this.stage.setDark(dark)));
   }
 
-  private async openFile(file: File): Promise<void> {
-    this.samples.value = this.nextSample = '';
-    await this.session.open(new Uint8Array(await file.arrayBuffer()), file.name);
+  open(bytes: Uint8Array<ArrayBuffer>, name: string, note: string): void {
+    this.note = note;
+    void this.session.open(bytes, name);
   }
-
-  private async openSample(file: string): Promise<void> {
-    this.samples.value = this.nextSample = file;
-    const text = atob(window.surpassSamples[file]!);
-    await this.session.open(Uint8Array.from(text, (c) => c.charCodeAt(0)), file);
-  }
-
-  private acceptDrops(): void {
-    const over = (on: boolean) => document.body.classList.toggle('dropping', on);
-    window.addEventListener('dragover', (event) => {
-      event.preventDefault();
-      over(true);
-    });
-    window.addEventListener('dragleave', (event) => {
-      if (event.relatedTarget === null) over(false);
-    });
-    window.addEventListener('drop', (event) => {
-      event.preventDefault();
-      over(false);
-      const file = event.dataTransfer?.files[0];
-      if (file) void this.openFile(file);
-    });
+  unreadable(words: string): void {
+    this.message.show(words, undefined, []);
   }
 
   // What the session tells.
 
   opened(session: Session): void {
-    this.sample = this.nextSample;
-    this.message.hidden = true;
+    this.sources.opened();
+    this.message.hide();
     const { given } = session.loaded!;
     this.stage.viewer.fit(given.positions);
     this.stage.show(session.content());
@@ -139,7 +98,7 @@ class Studio implements Page {
 
   solved(session: Session): void {
     // What is said of a file that was refused stays, though the one before it is shown again.
-    if (session.refused === undefined) this.message.hidden = true;
+    if (session.refused === undefined) this.message.hide();
     this.exportButton.disabled = false;
     this.exportButton.textContent = session.solved!.control ? 'Export control mesh' : 'Export surface';
     this.stage.show(session.content());
@@ -153,36 +112,42 @@ class Studio implements Page {
     this.resultsBox.replaceChildren(...results(session));
   }
 
-  failed(failure: Failure, session: Session): void {
-    const close = element('button', { type: 'button', class: 'small' }, 'Close');
-    close.addEventListener('click', () => {
-      session.refused = undefined;
-      this.message.hidden = true;
-    });
-    const stays = session.refused && session.loaded;
-    if (stays) this.samples.value = this.sample;
-    this.message.replaceChildren(element('p', {}, failure.message),
-      element('div', { class: 'actions' }, stays ? element('span', { class: 'quiet' }, `${session.name} stays open.`) : undefined,
-        ...this.remedies(failure, session), close));
-    this.message.hidden = false;
+  failed(failure: Failure, session: Session, tried?: Settings): void {
+    if (session.refused) {
+      this.note = '';
+      this.sources.stayed();
+    }
+    this.message.show(failure.message, this.whatStays(session, tried), this.remedies(failure, session, tried));
+    this.drawSettings();
   }
 
-  private remedies(failure: Failure, session: Session): HTMLElement[] {
-    const remedy = (label: string, act: () => void) => {
-      const button = element('button', { type: 'button', class: 'small primary' }, label);
-      button.addEventListener('click', act);
-      return button;
-    };
-    if (failure.code === 'singular') {
-      return [remedy('Use similarity instead', () => void session.change({
-        scheme: session.settings!.scheme === 'loop' ? 'loop' : 'catmull-clark', method: 'similarity', stopAfter: undefined }))];
+  private whatStays(session: Session, tried: Settings | undefined): string | undefined {
+    if (session.refused) return session.loaded && `${session.name} stays open.`;
+    if (!tried || !session.shown) return undefined;
+    return `Refused: ${differences(tried, session.shown)}. The settings are again those of what is shown.`;
+  }
+
+  private remedies(failure: Failure, session: Session, tried: Settings | undefined): HTMLElement[] {
+    if (tried && failure.code === 'singular') {
+      return [remedy('Use similarity instead', () => void session.change({ ...tried, method: 'similarity', stopAfter: undefined }))];
     }
     const mendable = ['non-manifold-edge', 'inconsistent-orientation', 'repeated-vertex', 'degenerate-face', 'duplicate-face'];
     const file = session.refused;
     if (file && mendable.includes(failure.code)) {
-      return [remedy('Repair and open', () => void session.open(file.bytes, file.name, { repair: true }))];
+      return [remedy('Repair and open', () => {
+        this.sources.retrying();
+        void session.open(file.bytes, file.name, { repair: true });
+      })];
     }
     return [];
+  }
+
+  cancelled(session: Session): void {
+    this.sources.stayed();
+    this.drawMeshBox();
+    this.drawSettings();
+    this.status.textContent = session.unsolved
+      ? 'Cancelled. There is no surface yet: Solve makes one.' : 'Cancelled. The picture shows what was found before.';
   }
 
   busy(progress: Progress | undefined, patient: boolean): void {
@@ -205,14 +170,17 @@ class Studio implements Page {
   private drawMeshBox(): void {
     const { loaded, name } = this.session;
     if (!loaded) {
-      this.meshBox.replaceChildren(element('h2', {}, 'Mesh'), element('p', { class: 'quiet' }, 'Loading…'));
+      this.meshBox.replaceChildren(element('h2', {}, 'Mesh'), element('p', { class: 'quiet' }, 'None yet'));
       return;
     }
     this.meshBox.replaceChildren(element('h2', {}, 'Mesh'), element('p', { class: 'file' }, name),
       element('p', { class: 'quiet' }, this.sizes()));
     if (loaded.kind === 'mesh' && !loaded.triangles) {
       const cut = element('button', { type: 'button', class: 'small', title: 'Then Loop surfaces are possible, too' }, 'Cut into triangles');
-      cut.addEventListener('click', () => void this.session.reopen({ triangulate: true }));
+      cut.addEventListener('click', () => {
+        this.sources.reopening();
+        void this.session.reopen({ triangulate: true });
+      });
       this.meshBox.append(cut);
     }
     this.status.textContent = this.summary();
@@ -223,11 +191,11 @@ class Studio implements Page {
     return kind === 'mesh' ? `${count(vertices)} vertices, ${count(faces)} faces` : `${count(vertices)} points`;
   }
   private summary(): string {
-    return `${this.session.name}: ${this.sizes()}`;
+    return `${this.note}${this.session.name}: ${this.sizes()}`;
   }
 
   private drawSettings(): void {
-    const { settings, situation, loaded } = this.session;
+    const { wished: settings, situation, loaded } = this.session;
     if (!settings || !situation || loaded?.kind !== 'mesh') {
       this.settingsBox.replaceChildren();
       return;
@@ -239,6 +207,14 @@ class Studio implements Page {
       void this.session.change(part);
       if (!Object.keys(part).every((name) => kSliders.includes(name))) this.drawSettings();
     }));
+    if (this.session.unsolved) {
+      const solve = element('button', { type: 'button', class: 'primary', id: 'solve' }, 'Solve');
+      solve.addEventListener('click', () => {
+        void this.session.solve();
+        this.drawSettings();
+      });
+      this.settingsBox.append(solve);
+    }
     if (focused) this.settingsBox.querySelector<HTMLElement>(`#${focused}`)?.focus();
   }
 

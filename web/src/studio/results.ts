@@ -55,8 +55,8 @@ function rivalCurves(session: Session): PlotCurve[] {
 
 function convergence(session: Session, solved: Solved): HTMLElement {
   const compared = rivalCurves(session);
-  const curves = compared.length > 0 ? compared : ownCurves(solved.report, session.settings!.method);
-  const progressive = iterates(session.settings!);
+  const curves = compared.length > 0 ? compared : ownCurves(solved.report, session.shown!.method);
+  const progressive = iterates(session.shown!);
   return element('section', {}, element('h2', {}, 'Convergence'),
     element('p', { class: 'quiet caption' }, progressive
       ? 'Largest error, of the box side, at each evaluation of the limit'

@@ -1,5 +1,6 @@
 // What the visitor chooses about the surface: the form, and the options that it stands for.
 import type { Loaded, SolveOptions } from '../core/protocol';
+import { shortNumber } from '../viewer/colour';
 import { element, select, type Choice } from '../viewer/dom';
 
 export interface Settings {
@@ -107,6 +108,34 @@ export function withScheme(s: Settings, scheme: string, vertices: number): Parti
     boundary: boundaries(scheme).some((b) => b.value === s.boundary) ? s.boundary : 'edge-and-corner',
     method: kWithFreedom.includes(scheme) ? s.method : 'progressive',
   };
+}
+
+/** Settings with choices that were made before the mesh was there, as far as it allows them. */
+export function withChosen(s: Settings, chosen: Partial<Settings>, loaded: Loaded): Settings {
+  if (Object.keys(chosen).length === 0) return s;
+  const wanted = chosen.scheme ?? s.scheme;
+  const scheme = loaded.triangles || !kOfTriangles.includes(wanted) ? wanted : s.scheme;
+  const next = { ...s, ...chosen, scheme };
+  const all = { ...next, ...withScheme(next, scheme, loaded.vertices) };
+  const { lowest, highest } = loaded.shapes ?? { lowest: s.shape, highest: s.shape };
+  return { ...all, levels: Math.min(all.levels, mostLevels(loaded.vertices)), shape: Math.min(Math.max(all.shape, lowest), highest) };
+}
+
+const labelIn = (choices: readonly Choice<string>[], value: string): string => choices.find((c) => c.value === value)?.label ?? value;
+
+/** In words, what of the settings is not as it is in others. */
+export function differences(s: Settings, from: Settings): string {
+  const words: string[] = [];
+  if (s.scheme !== from.scheme) words.push(labelIn(kSchemes, s.scheme));
+  if (s.method !== from.method) words.push(labelIn(kMethods, s.method));
+  if (s.boundary !== from.boundary) words.push(`boundary ${labelIn(boundaries('loop'), s.boundary)}`);
+  if (s.solver !== from.solver) words.push(labelIn(kSolvers, s.solver));
+  if (s.tolerance !== from.tolerance) words.push(`tolerance ${shortNumber(s.tolerance)}`);
+  if (s.levels !== from.levels) words.push(`fineness ${s.levels}`);
+  if (s.shape !== from.shape) words.push(`shape ${shortNumber(s.shape)}`);
+  if (s.tension !== from.tension) words.push(`tension ${shortNumber(s.tension)}`);
+  if (s.stopAfter !== from.stopAfter && s.stopAfter !== undefined) words.push(`${s.stopAfter} iterations`);
+  return words.join(', ');
 }
 
 interface SliderOptions {

@@ -351,9 +351,58 @@ test('a broken file shows the library’s own words, and what was open stays', a
   await alert.getByRole('button', { name: 'Close' }).click();
 
   // What can be mended is mended on request.
+  await page.getByLabel('Sample').selectOption('cube.obj');
+  await page.locator('.file', { hasText: 'cube.obj' }).waitFor();
   await load('folded.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 -1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n');
   await alert.getByRole('button', { name: 'Repair and open' }).click();
   await page.locator('.file', { hasText: 'folded.obj' }).waitFor();
+  expect(await alert.isVisible()).toBe(false);
+  expect(await page.getByLabel('Sample').inputValue()).toBe('');
+});
+
+test('the keyboard stays where it is when a choice is made, and Escape closes a message', async () => {
+  const { page } = opened;
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.tagName);
+  await page.getByLabel('Sample').selectOption('cube.obj');
+  await page.locator('.file', { hasText: 'cube.obj' }).waitFor();
+  await verdict(page).filter({ hasText: 'Passes' }).waitFor();
+  const before = await page.evaluate(() => window.surpassStudio!.session.settings!.method);
+  await page.getByLabel('Method', { exact: true }).focus();
+  await page.keyboard.press('ArrowDown');
+  await page.waitForFunction((method) => window.surpassStudio!.session.shown?.method !== method, before);
+  expect(await focused()).toBe('Method');
+
+  // A choice that is refused: said so, and taken back.
+  await load('pillow.obj', readFileSync(resolve(kRoot, 'data/octahedron.obj'), 'utf8'));
+  await page.locator('.file', { hasText: 'pillow.obj' }).waitFor();
+  await verdict(page).filter({ hasText: 'Passes' }).waitFor();
+  const shown = await verdict(page).textContent();
+  await page.evaluate(() => window.surpassStudio!.session.change({ solver: 'no such solver' }));
+  const alert = page.getByRole('alert');
+  expect(await alert.textContent()).toContain('Refused: no such solver');
+  expect(await page.getByLabel('Solver', { exact: true }).inputValue()).toBe('auto');
+  expect(await verdict(page).textContent()).toBe(shown);
+  await page.getByLabel('Solver', { exact: true }).focus();
+  await alert.getByRole('button', { name: 'Close' }).focus();
+  await page.keyboard.press('Escape');
+  expect(await alert.isVisible()).toBe(false);
+  expect(await focused()).toBe('Solver');
+});
+
+test('what is no file is said to be none; of several the first is opened', async () => {
+  const { page } = opened;
+  const drop = async (files: Record<string, string>) => page.dispatchEvent('body', 'drop', {
+    dataTransfer: await page.evaluateHandle((texts) => {
+      const transfer = new DataTransfer();
+      for (const [name, text] of Object.entries(texts)) transfer.items.add(new File([text], name));
+      return transfer;
+    }, files) });
+  const alert = page.getByRole('alert');
+  await drop({});
+  expect(await alert.textContent()).toContain('no file');
+  const cube = readFileSync(resolve(kRoot, 'data/cube.obj'), 'utf8');
+  await drop({ 'one.obj': cube, 'two.obj': cube });
+  await page.getByRole('status').filter({ hasText: /Of 2 files the first is opened\. one\.obj: .* Passes/ }).waitFor();
   expect(await alert.isVisible()).toBe(false);
 });
 
