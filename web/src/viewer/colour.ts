@@ -41,8 +41,11 @@ export function cssGradient(scale: Scale): string {
   return `linear-gradient(to right, ${stops.join(', ')})`;
 }
 
+/** Curvatures below, of a mesh whose box side is one, are a flat surface's rounding errors. */
+export const kFlat = 1e-6;
+
 /** The value below which `share` of the magnitudes lie; at least a tiny positive number. */
-export function magnitude(values: readonly Float32Array[], share: number): number {
+export function magnitude(values: readonly Float32Array[], share: number, least = 1e-12): number {
   const sample: number[] = [];
   const total = values.reduce((sum, v) => sum + v.length, 0);
   const step = Math.max(1, Math.floor(total / 20000));
@@ -50,7 +53,7 @@ export function magnitude(values: readonly Float32Array[], share: number): numbe
     for (let i = 0; i < list.length; i += step) sample.push(Math.abs(list[i]!));
   }
   sample.sort((a, b) => a - b);
-  return Math.max(sample[Math.floor(share * (sample.length - 1))] ?? 0, 1e-12);
+  return Math.max(sample[Math.floor(share * (sample.length - 1))] ?? 0, least);
 }
 
 /** A number for people: 3 digits, and powers of ten where they are shorter; with a true minus sign. */

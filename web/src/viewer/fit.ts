@@ -42,3 +42,14 @@ export function firstView(positions: Float32Array, up: Up, eye: readonly [number
   visit((across, _high, ahead) => { reach = Math.max(reach, across / (distance - ahead) / tangent); });
   return { distance, reach, radius };
 }
+
+/** Positions of several things in one list. */
+export function joined(lists: readonly Float32Array[]): Float32Array {
+  const all = new Float32Array(lists.reduce((sum, list) => sum + list.length, 0));
+  let at = 0;
+  for (const list of lists) {
+    all.set(list, at);
+    at += list.length;
+  }
+  return all;
+}

@@ -1,10 +1,11 @@
 // One thing to look at - a surface, a mesh with its edges, a cage, points - as objects of the scene.
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Points, type ShaderMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, type Points, type ShaderMaterial } from 'three';
 import type { Shape } from '../core/protocol';
 import { connectivityOf, trianglesOf, type Connectivity } from './connectivity';
 import { fitLines, wideLines, type LineLook, type PaneFrame } from './lines';
-import { isSigned, plain, pointMaterial, shade, surfaceMaterial, type Shading } from './materials';
+import { isSigned, plain, shade, surfaceMaterial, type Shading } from './materials';
 import type { Palette } from './palette';
+import { makePoints, scalePoints } from './points';
 
 /** surface: smooth and shaded; mesh: facets with edges; cage: edges and vertices; points: these. */
 export type Kind = 'surface' | 'mesh' | 'cage' | 'points';
@@ -176,38 +177,13 @@ export class Layer {
     uniforms.worldSide!.value = side;
   }
 
-  scalePoints(ratio: number): void {
-    if (this.dots) scalePoints(this.dots, ratio);
+  scalePoints(ratio: number, unit: number): void {
+    if (!this.dots) return;
+    this.dots.visible = true;
+    scalePoints(this.dots, ratio, unit, this.source.kind !== 'points');
   }
 
   dispose(): void {
     for (const thing of this.garbage) thing.dispose();
   }
-}
-
-export interface PointLook {
-  colour: string;
-  rim: string;
-  ground: string;
-  /** How much of the ground's colour the farthest points have. */
-  haze: number;
-  /** Of the usual size. */
-  share: number;
-}
-
-/** Points as discs of a few pixels, smaller where there are many; `values` may colour them. */
-export function makePoints(positions: Float32Array, values: Float32Array | undefined, look: PointLook): Points {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  if (values) geometry.setAttribute('value', new BufferAttribute(values, 1));
-  const points = new Points(geometry, pointMaterial(look.colour, look.rim, look.ground, look.haze));
-  const count = positions.length / 3;
-  points.userData.size = look.share * (count <= 300 ? 9 : count <= 3000 ? 6.5 : count <= 30000 ? 4 : 2.5);
-  points.frustumCulled = false;
-  return points;
-}
-
-export function scalePoints(points: Points, ratio: number): void {
-  const material = points.material as ShaderMaterial;
-  material.uniforms.size!.value = (points.userData.size as number) * ratio;
 }

@@ -143,6 +143,7 @@ uniform vec2 range;
 uniform sampler2D scale;
 uniform float size;
 uniform vec3 ground;
+uniform float opacity;
 uniform float haze;    // how much of the ground's colour the farthest have
 varying float vValue;
 varying float vDepth;
@@ -156,7 +157,7 @@ void main() {
   }
   // Of small discs the rim would leave nothing.
   float edge = smoothstep(1.0 - min(3.0 / size, 0.4), 1.0 - min(1.0 / size, 0.15), r);
-  gl_FragColor = vec4(mix(mix(inside, rim, edge), ground, haze * vDepth), 1.0);
+  gl_FragColor = vec4(mix(mix(inside, rim, edge), ground, haze * vDepth), opacity);
 }`;
 
 export function pointMaterial(colour: string, rim: string, ground: string, haze: number): ShaderMaterial {
@@ -172,6 +173,7 @@ export function pointMaterial(colour: string, rim: string, ground: string, haze:
       size: { value: 6 },
       ground: { value: plain(ground) },
       haze: { value: haze },
+      opacity: { value: 1 },
       depths: { value: { x: 0, y: 1 } },
     },
   });

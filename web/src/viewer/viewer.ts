@@ -1,10 +1,11 @@
 // The picture: one or two panes that look at the layers through one camera.
 import { Matrix3, PerspectiveCamera, type Points, Scene, type ShaderMaterial, Vector2, Vector3, WebGLRenderer, LinearSRGBColorSpace, ColorManagement } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { magnitude } from './colour';
-import { firstView } from './fit';
-import { Layer, makePoints, scalePoints, type LayerSource, type Scales } from './layer';
+import { kFlat, magnitude } from './colour';
+import { firstView, joined } from './fit';
+import { Layer, type LayerSource, type Scales } from './layer';
 import { kDark, kLight, type Palette } from './palette';
+import { makePoints, scalePoints } from './points';
 import { drawsInSoftware } from './software';
 import { panesOf, type Pane, type View } from './views';
 
@@ -33,6 +34,9 @@ export class Viewer {
   private content: Content = { layers: [] };
   private radius = 0.8;
   private fitted: Float32Array = new Float32Array();
+  /** Nobody has turned the picture; and the control meshes that it was fitted to. */
+  private atHome = true;
+  private fittedCages = '';
   /** From the origin to the eye in the first view; and the width that it needs, of the height. */
   private distance = 3.3;
   private reach = 1;
@@ -55,13 +59,14 @@ export class Viewer {
     this.orbit.minDistance = 0.2;
     this.orbit.maxDistance = 20;
     this.orbit.addEventListener('change', () => this.ask());
+    this.orbit.addEventListener('start', () => { this.atHome = false; });
     this.canvas.addEventListener('keydown', (event) => this.key(event));
     new ResizeObserver(() => this.draw()).observe(host);
     this.home();
     this.draw();
   }
 
-  /** New things to look at. The camera stays unless `home` is called. */
+  /** New things to look at. The camera stays, unless it is still in the first view and they need more room. */
   show(content: Content): void {
     this.content = content;
     this.rebuild();
@@ -74,7 +79,7 @@ export class Viewer {
   setView(view: View): void {
     const turned = view.up !== this.view.up;
     this.view = view;
-    if (turned) this.home();
+    if (turned || (this.atHome && this.cages() !== this.fittedCages)) this.home();
     this.ask();
   }
 
@@ -85,6 +90,7 @@ export class Viewer {
 
   /** From the front, a little to the right and above. */
   home(): void {
+    this.fittedCages = this.cages();
     this.measure();
     const [right, high, ahead] = kHome.map((x) => x * this.distance);
     this.camera.up.set(0, this.view.up === 'y' ? 1 : 0, this.view.up === 'z' ? 1 : 0);
@@ -95,7 +101,17 @@ export class Viewer {
     orbit._quatInverse = orbit._quat.setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0)).clone().invert();
     this.orbit.target.set(0, 0, 0);
     this.orbit.update();
+    this.atHome = true;
     this.ask();
+  }
+
+  // Control meshes reach far beyond the points that are always fitted; surfaces do not.
+  private get shownCages(): LayerSource[] {
+    const ids = panesOf(this.view).flatMap((pane) => pane.ids);
+    return this.content.layers.filter((l) => l.kind === 'cage' && ids.includes(l.id));
+  }
+  private cages(): string {
+    return this.shownCages.map((l) => l.id).join(' ');
   }
 
   /** The things around the origin that shall fit into the picture. */
@@ -105,7 +121,8 @@ export class Viewer {
   }
 
   private measure(): void {
-    const { distance, reach, radius } = firstView(this.fitted, this.view.up, kHome, this.tangent / kMargin);
+    const positions = [this.fitted, ...this.shownCages.map((l) => l.shape.positions)];
+    const { distance, reach, radius } = firstView(joined(positions), this.view.up, kHome, this.tangent / kMargin);
     Object.assign(this, { distance, reach, radius });
   }
 
@@ -174,8 +191,8 @@ export class Viewer {
     const surfaces = this.content.layers.filter((l) => l.kind === 'surface');
     const of = (name: string) => surfaces.flatMap((l) => l.shape.channels[name] ?? []);
     this.scales = {
-      mean: magnitude(of('mean'), 0.96),
-      gauss: magnitude(of('gauss'), 0.95),
+      mean: magnitude(of('mean'), 0.96, kFlat),
+      gauss: magnitude(of('gauss'), 0.95, kFlat),
       distance: magnitude(of('distance'), 1),
       error: this.content.pointErrors?.length ? magnitude([this.content.pointErrors], 1) : magnitude(of('error'), 1),
     };
@@ -240,6 +257,7 @@ export class Viewer {
       size: new Vector2((pane.to - pane.from) * clientWidth, clientHeight), ratio: this.renderer.getPixelRatio(),
       near: this.camera.near, depths: new Vector2(away - 0.5 * this.radius, away + this.radius),
     };
+    const unit = (this.camera.projectionMatrix.elements[5]! * clientHeight * frame.ratio) / 2 / away;
     const shown = pane.ids.flatMap((id) => this.layers.get(id) ?? []);
     const withSurface = shown.some((layer) => layer.isSurface);
     for (const layer of this.layers.values()) {
@@ -248,17 +266,17 @@ export class Viewer {
       layer.arrange({ withSurface, marks: this.view.marks });
       layer.shade(this.view.shading, this.scales);
       layer.useFrame(up, side, frame);
-      layer.scalePoints(this.dotScale(pane));
+      layer.scalePoints(this.dotScale(pane), unit);
     }
-    if (this.points) this.arrangePoints(this.points, this.dotScale(pane));
+    if (this.points) this.arrangePoints(this.points, this.dotScale(pane), unit);
   }
 
-  private arrangePoints(points: Points, scale: number): void {
+  private arrangePoints(points: Points, scale: number, unit: number): void {
     points.visible = this.view.points;
     const { uniforms } = points.material as ShaderMaterial;
     uniforms.scaled!.value = this.view.shading === 'error' && this.content.pointErrors !== undefined;
     uniforms.range!.value = { x: 0, y: this.scales.error };
-    scalePoints(points, scale);
+    scalePoints(points, scale, unit, true);
   }
 
   private key(event: KeyboardEvent): void {
@@ -283,6 +301,7 @@ export class Viewer {
     const action = keys[event.key];
     if (!action) return;
     event.preventDefault();
+    this.atHome = false;
     action();
   }
 
