@@ -11,7 +11,7 @@ import { Stage } from '../viewer/stage';
 import { themeButton } from '../viewer/theme';
 import type { Content } from '../viewer/viewer';
 import { floatsOf, positionsOf, shapeOf, type Json, type PageData } from './decode';
-import { sections } from './summary';
+import { coloured, sections, titleOf } from './summary';
 
 declare global {
   interface Window {
@@ -44,7 +44,7 @@ function aside(data: PageData): HTMLElement {
   const panel = element('aside', { class: 'panel', 'aria-label': 'Figures' },
     ...sections(data.report).map((s) => element('section', {}, element('h2', {}, s.title), figures(s.figures))));
   if (data.curves.length > 0) {
-    panel.append(element('section', {}, element('h2', {}, 'Convergence'), plot(data.curves, 'Error against iteration, logarithmic')));
+    panel.append(element('section', {}, element('h2', {}, 'Convergence'), plot(coloured(data.report, data.curves), 'Error against iteration, logarithmic')));
   }
   const notes = list(data.report.notes);
   if (notes.length > 0) {
@@ -66,8 +66,7 @@ function start(): void {
   const stage = new Stage();
   const content = contentOf(data);
   const command = String(data.report.command ?? 'report');
-  const titles = data.layers.map((l) => l.label).slice(0, 2).join(', ');
-  document.title = `surpass ${command}: ${titles}`;
+  document.title = `surpass ${command}: ${titleOf(data.report, data.layers.map((l) => l.label))}`;
   document.body.append(
     element('header', { class: 'top' }, element('h1', {}, 'Surpass ', element('span', { class: 'quiet' }, command)),
       element('span', { class: 'quiet' }, `version ${data.version}`), element('span', { class: 'space' }),

@@ -1,6 +1,8 @@
 // The figures of a command's report, by section, in words.
 import { shortNumber } from '../viewer/colour';
 import { count, type Figure } from '../viewer/figures';
+import type { PlotCurve } from '../viewer/plot';
+import { solverLook } from '../viewer/solvers';
 import type { Json } from './decode';
 
 type Fields = { [key: string]: Json };
@@ -58,8 +60,9 @@ export function sections(report: Fields): Section[] {
   };
   const surface: Section = {
     title: 'Surface',
-    figures: rows(report, { scheme: 'Scheme', boundary: 'Boundary', method: 'Method', solver: 'Solver',
-      iterations: 'Iterations', boundary_iterations: 'Iterations on curves', levels: 'Refinements' }),
+    figures: rows(report, { scheme: 'Scheme', boundary: 'Boundary', method: 'Method', solver: 'Solver', iterations: 'Iterations',
+      // Most meshes have no curves.
+      ...(report.boundary_iterations === 0 ? {} : { boundary_iterations: 'Iterations on curves' }), levels: 'Refinements' }),
   };
   const made: Section = {
     title: 'Reconstruction',
@@ -71,4 +74,21 @@ export function sections(report: Fields): Section[] {
     figures: rows(fieldsOf(report.interpolation), { max: 'Largest error', mean: 'Mean error', solver: 'Solver', iterations: 'Iterations' }),
   };
   return [...inputs(report), certificate, surface, made, solved, ...distance(report.distance)].filter((s) => s.figures.length > 0);
+}
+
+/** What the page is called: the file that it is about, or else what it shows. */
+export function titleOf(report: Fields, shown: readonly string[]): string {
+  const paths = [report.input, report.a, report.b].flatMap((value) => fieldsOf(value).path ?? []);
+  const names = paths.filter((path) => typeof path === 'string').map((path) => path.replace(/^.*[\\/]/, ''));
+  return (names.length > 0 ? names : shown.slice(0, 2)).join(', ');
+}
+
+/** Curves in their solvers' colours. */
+export function coloured(report: Fields, curves: readonly { name: string; points: [number, number][] }[]): PlotCurve[] {
+  return curves.map((curve) => {
+    const own = curve.name === 'This solver';
+    const [solver = '', dashed] = curve.name.toLowerCase().split(', ');
+    const { name, colour } = solverLook(own ? String(report.solver) : solver);
+    return { ...curve, name: own ? name : curve.name, colour: dashed ? colour.dashed : colour.full };
+  });
 }

@@ -4,13 +4,14 @@ import { shortNumber } from '../viewer/colour';
 import { element } from '../viewer/dom';
 import { count, figures, seconds, type Figure } from '../viewer/figures';
 import { plot, type PlotCurve } from '../viewer/plot';
+import { solverLook } from '../viewer/solvers';
 import type { Session } from './session';
 import { iterates } from './settings';
 
 function solverFigures({ report, seconds: { solve } }: Solved): Figure[] {
   const solves = report.boundaryIterations > 0
     ? `${report.iterations} + ${report.boundaryIterations} on curves` : String(report.iterations);
-  return [{ name: 'Solver', value: report.solver }, { name: 'Iterations', value: solves }, { name: 'Solved in', value: seconds(solve) }];
+  return [{ name: 'Solver', value: solverLook(report.solver).name }, { name: 'Iterations', value: solves }, { name: 'Solved in', value: seconds(solve) }];
 }
 
 function certificateFigures(session: Session, solved: Solved): Figure[] {
@@ -27,41 +28,46 @@ function certificateFigures(session: Session, solved: Solved): Figure[] {
   ];
 }
 
+export function good({ report, certificate }: Solved): boolean {
+  return report.converged && certificate.max <= report.tolerance;
+}
+
 /** Whether the surface passes through the points, in one glance. */
 export function verdict(solved: Solved): HTMLElement {
   const { report, certificate } = solved;
-  const good = report.converged && certificate.max <= report.tolerance;
-  return element('p', { class: good ? 'verdict good' : 'verdict bad' }, good
+  return element('p', { class: good(solved) ? 'verdict good' : 'verdict bad' }, good(solved)
     ? `Passes through every point, to ${shortNumber(certificate.max)} of the box side`
     : `Off by ${shortNumber(certificate.max)} of the box side; the tolerance is ${shortNumber(report.tolerance)}`);
 }
 
-function curve(name: string, history: readonly Iteration[]): PlotCurve[] {
-  return history.length > 1 ? [{ name, points: history.map((i) => [i.iteration, i.max] as const) }] : [];
+/** The curves of one solver, in its own colour whatever else is in the plot. */
+function curves(solver: string, history: readonly Iteration[], onCurves: readonly Iteration[], what = ''): PlotCurve[] {
+  const { name, colour } = solverLook(solver);
+  const one = (label: string, values: readonly Iteration[], dashed: boolean): PlotCurve[] => (values.length > 1
+    ? [{ name: what + label, colour: dashed ? colour.dashed : colour.full, points: values.map((i) => [i.iteration, i.max] as const) }] : []);
+  return [...one(name, history, false), ...one(`${name}, on curves`, onCurves, true)];
 }
 
 function ownCurves(report: SolveReport, method: string): PlotCurve[] {
-  const what = method === 'progressive' ? report.solver : `residual, ${report.solver}`;
-  return [...curve(what, report.history), ...curve(`${what}, on curves`, report.boundaryHistory)];
+  return curves(report.solver, report.history, report.boundaryHistory, method === 'progressive' ? '' : 'Residual, ');
 }
 
-function rivalCurves(session: Session): PlotCurve[] {
-  const { rivals } = session;
-  if (!rivals) return [];
-  const names: [string, string][] = [['richardson', 'Richardson'], ['chebyshev', 'Chebyshev']];
-  return names.flatMap(([key, name]) => curve(name, rivals[key]?.history ?? []))
-    .concat(names.flatMap(([key, name]) => curve(`${name}, on curves`, rivals[key]?.boundaryHistory ?? [])));
+function rivalCurves({ rivals }: Session): PlotCurve[] {
+  return ['richardson', 'chebyshev'].flatMap((solver) => {
+    const found = rivals?.[solver];
+    return found ? curves(solver, found.history, found.boundaryHistory) : [];
+  });
 }
 
 function convergence(session: Session, solved: Solved): HTMLElement {
   const compared = rivalCurves(session);
-  const curves = compared.length > 0 ? compared : ownCurves(solved.report, session.shown!.method);
+  const shown = compared.length > 0 ? compared : ownCurves(solved.report, session.shown!.method);
   const progressive = iterates(session.shown!);
   return element('section', {}, element('h2', {}, 'Convergence'),
     element('p', { class: 'quiet caption' }, progressive
       ? 'Largest error, of the box side, at each evaluation of the limit'
       : 'Residual of the free vertices; the surface interpolates at every iteration'),
-    plot(curves, 'Error against iteration, logarithmic'));
+    plot(shown, 'Error against iteration, logarithmic'));
 }
 
 export function results(session: Session): HTMLElement[] {

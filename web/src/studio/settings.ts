@@ -7,6 +7,8 @@ export interface Settings {
   scheme: string;
   boundary: string;
   method: string;
+  /** The method to come back to from a scheme that has none. */
+  resting: string | undefined;
   solver: string;
   tolerance: number;
   /** Refinements of the shown surface. */
@@ -45,7 +47,7 @@ export function mostLevels(vertices: number): number {
 
 export function settingsFor(loaded: Loaded): Settings {
   return {
-    scheme: loaded.scheme, boundary: 'edge-and-corner', method: 'progressive', solver: 'auto',
+    scheme: loaded.scheme, boundary: 'edge-and-corner', method: 'progressive', resting: undefined, solver: 'auto',
     tolerance: 1e-12, levels: suggestedLevels(loaded.vertices), stopAfter: undefined, tension: 0,
     shape: loaded.shapes?.standard ?? 0,
   };
@@ -95,7 +97,7 @@ function boundaries(scheme: string): Choice<string>[] {
   const loop = scheme === 'loop';
   return [
     { value: 'edge-and-corner', label: 'Edge and corner' }, { value: 'edge-only', label: 'Edge only' },
-    ...(loop ? [{ value: 'hoppe', label: 'Hoppe' }, { value: 'interior', label: 'Interior mask' }] : []),
+    ...(loop ? [{ value: 'hoppe', label: 'Hoppe' }, { value: 'interior', label: 'Interior mask (no surface)', disabled: true }] : []),
   ];
 }
 
@@ -106,7 +108,8 @@ export function withScheme(s: Settings, scheme: string, vertices: number): Parti
   return {
     scheme, levels, stopAfter: undefined,
     boundary: boundaries(scheme).some((b) => b.value === s.boundary) ? s.boundary : 'edge-and-corner',
-    method: kWithFreedom.includes(scheme) ? s.method : 'progressive',
+    method: kWithFreedom.includes(scheme) ? (s.resting ?? s.method) : 'progressive',
+    resting: kWithFreedom.includes(scheme) ? undefined : (s.resting ?? s.method),
   };
 }
 

@@ -4,6 +4,8 @@ import { shortNumber } from './colour';
 
 export interface PlotCurve {
   name: string;
+  /** N of --curve-N in viewer.css; otherwise its place in the plot. */
+  colour?: number;
   /** (iteration, value) */
   points: readonly (readonly [number, number])[];
 }
@@ -58,7 +60,8 @@ export function plot(curves: readonly PlotCurve[], label: string): HTMLElement {
   picture.append(
     svg('line', { x1: kLeft, x2: kWidth - kRight, y1: kHeight - kBottom, y2: kHeight - kBottom, class: 'tick' }),
     svg('text', { x: (kLeft + kWidth - kRight) / 2, y: kHeight - 3, 'text-anchor': 'middle' }, 'iteration'));
-  curves.forEach((curve, k) => {
+  curves.forEach((curve, place) => {
+    const k = curve.colour ?? place;
     const path = curve.points.map(([i, v], n) => `${n === 0 ? 'M' : 'L'}${x(i).toFixed(1)} ${y(v).toFixed(1)}`).join('');
     picture.append(svg('path', { d: path, class: `curve curve-${k}` }));
     if (curve.points.length > 60) return;
@@ -69,7 +72,7 @@ export function plot(curves: readonly PlotCurve[], label: string): HTMLElement {
   });
 
   const keys = element('div', { class: 'keys' }, ...curves.map((curve, k) =>
-    element('span', { class: `key key-${k}` }, `${curve.name} (${curve.points.at(-1)?.[0] ?? 0})`)));
+    element('span', { class: `key key-${curve.colour ?? k}` }, `${curve.name} (${curve.points.at(-1)?.[0] ?? 0})`)));
   return element('figure', { class: 'plot-figure' }, picture as unknown as HTMLElement, keys, tableOf(curves));
 }
 

@@ -2,11 +2,14 @@ import { describe, expect, test } from 'vitest';
 import type { Shape } from '../../src/core/protocol';
 import { colourAt, magnitude, shortNumber, texels } from '../../src/viewer/colour';
 import { connectivityOf, trianglesOf } from '../../src/viewer/connectivity';
-import { firstView } from '../../src/viewer/fit';
+import { counted } from '../../src/viewer/figures';
+import { firstView, joined } from '../../src/viewer/fit';
+import { dotFor, spacingOf } from '../../src/viewer/points';
+import { solverLook } from '../../src/viewer/solvers';
 import { defaultView, panesOf } from '../../src/viewer/views';
 import { positionsOf, shapeOf, type PackedLayer } from '../../src/report/decode';
-import { sections } from '../../src/report/summary';
-import { byItself, iterates, mostLevels, settingsFor, solveOptions, suggestedLevels, withScheme } from '../../src/studio/settings';
+import { coloured, sections, titleOf } from '../../src/report/summary';
+import { byItself, differences, iterates, mostLevels, settingsFor, solveOptions, suggestedLevels, withChosen, withScheme } from '../../src/studio/settings';
 import { stem } from '../../src/studio/save';
 
 /** A quad and two triangles on its right edge's end: 6 vertices. */
@@ -54,6 +57,7 @@ describe('colours', () => {
     expect(magnitude([values], 1)).toBe(99);
     expect(magnitude([values], 0.9)).toBeCloseTo(89, -1);
     expect(magnitude([], 1)).toBeGreaterThan(0);
+    expect(magnitude([Float32Array.of(1e-12, -1e-13)], 1, 1e-6)).toBe(1e-6);
   });
 
   test('numbers are short', () => {
@@ -93,6 +97,33 @@ describe('the first view', () => {
   });
 });
 
+describe('points on the screen', () => {
+  test('have their usual size where there is room, and less than their space elsewhere', () => {
+    expect(dotFor(6, 40, 1, true)).toEqual({ size: 6, opacity: 1 });
+    expect(dotFor(6, 8, 1, true).size).toBeCloseTo(3.6, 12);
+    expect(dotFor(12, 16, 2, true).size).toBeCloseTo(7.2, 12);
+  });
+  test('fade away before they cover a surface, and never where they are all there is', () => {
+    const faded = [12, 6, 4.5, 3, 1].map((spacing) => dotFor(3, spacing, 1, true).opacity);
+    expect(faded).toEqual([1, 1, 0.5, 0, 0]);
+    expect(dotFor(3, 1, 1, false)).toEqual({ size: 1.5, opacity: 1 });
+  });
+  test('are as far apart as on a ball', () => {
+    const positions = Float32Array.from({ length: 3 * 400 }, (_, i) => (i % 3 === 0 ? 2 : 0));
+    expect(spacingOf(positions)).toBeCloseTo(2 * Math.sqrt((4 * Math.PI) / 400), 6);
+  });
+});
+
+test('several lists of positions are one', () => {
+  expect([...joined([Float32Array.of(1, 2, 3), new Float32Array(), Float32Array.of(4, 5, 6)])]).toEqual([1, 2, 3, 4, 5, 6]);
+});
+
+test('a solver has one name and one colour, and one that was not needed says so', () => {
+  expect(solverLook('chebyshev')).toEqual({ name: 'Chebyshev', colour: { full: 1, dashed: 3 } });
+  expect(solverLook('').name).toBe('none needed');
+  expect([counted(1, 'face', 'faces'), counted(2, 'face', 'faces')]).toEqual(['1 face', '2 faces']);
+});
+
 test('the panes of a split meet at the divider', () => {
   const view = { ...defaultView(), mode: 'split' as const, split: 0.3 };
   expect(panesOf(view)).toEqual([{ ids: ['plain'], from: 0, to: 0.3 }, { ids: ['surface'], from: 0.3, to: 1 }]);
@@ -126,6 +157,18 @@ describe('a report’s data', () => {
   });
 });
 
+test('a report is called by its file, and its curves are coloured by their solver', () => {
+  expect(titleOf({ input: { path: 'a/b/jug.obj' } }, ['Given mesh'])).toBe('jug.obj');
+  expect(titleOf({ a: { path: 'x.obj' }, b: { path: 'y.obj' } }, [])).toBe('x.obj, y.obj');
+  expect(titleOf({}, ['One', 'Two', 'Three'])).toBe('One, Two');
+  const points: [number, number][] = [[0, 1], [1, 0.1]];
+  expect(coloured({ solver: 'chebyshev' }, ['This solver', 'Richardson', 'Chebyshev, on curves'].map((name) => ({ name, points }))))
+    .toEqual([{ name: 'Chebyshev', points, colour: 1 }, { name: 'Richardson', points, colour: 0 }, { name: 'Chebyshev, on curves', points, colour: 3 }]);
+  const iterations = (on: number) => sections({ scheme: 'loop', iterations: 5, boundary_iterations: on })[0]!.figures.map((f) => f.name);
+  expect(iterations(0)).toEqual(['Scheme', 'Iterations']);
+  expect(iterations(2)).toContain('Iterations on curves');
+});
+
 describe('settings', () => {
   const loaded = { kind: 'mesh' as const, format: 'obj', notices: [], vertices: 900, faces: 1800, triangles: true,
     scheme: 'loop', boxSide: 1, given: kPatch,
@@ -157,6 +200,24 @@ describe('settings', () => {
     expect(withScheme(settings, 'nonstationary-loop', 20000)).toMatchObject({ boundary: 'edge-and-corner', method: 'progressive', levels: 1 });
     expect(withScheme(settings, 'nonstationary-loop', 2000000).levels).toBe(0);
     expect(withScheme({ ...settings, levels: 3 }, 'nonstationary-loop', 900).levels).toBe(3);
+  });
+  test('a visit to a scheme without methods does not forget the method', () => {
+    const settings = { ...settingsFor(loaded), method: 'fair' };
+    const away = { ...settings, ...withScheme(settings, 'nonstationary-loop', 900) };
+    expect([away.method, withScheme(away, 'loop', 900).method]).toEqual(['progressive', 'fair']);
+  });
+  test('what was chosen before a mesh was there is taken as far as the mesh allows it', () => {
+    const settings = settingsFor(loaded);
+    expect(withChosen(settings, {}, loaded)).toBe(settings);
+    expect(withChosen(settings, { levels: 6, shape: -9, stopAfter: 3, method: 'fair' }, { ...loaded, vertices: 90000 }))
+      .toMatchObject({ levels: 1, shape: -3.99, stopAfter: undefined, method: 'fair', scheme: 'loop' });
+    const quads = { ...loaded, triangles: false, scheme: 'catmull-clark' };
+    expect(withChosen(settingsFor(quads), { scheme: 'loop', boundary: 'hoppe' }, quads))
+      .toMatchObject({ scheme: 'catmull-clark', boundary: 'edge-and-corner' });
+  });
+  test('what was refused is said in the words of the form', () => {
+    const settings = settingsFor(loaded);
+    expect(differences({ ...settings, scheme: 'doo-sabin', method: 'similarity', levels: 5 }, settings)).toBe('Doo-Sabin, Similarity, fineness 5');
   });
   test('names of files', () => {
     expect(['a/b/jug.obj', 'x', 'my.mesh.ply', '.obj'].map(stem)).toEqual(['jug', 'x', 'my.mesh', 'mesh']);
