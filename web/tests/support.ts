@@ -44,3 +44,15 @@ export function torus(around: number, across: number): string {
   }
   return `${lines.join('\n')}\n`;
 }
+
+/** How far positions of two OBJ files are apart, of the second one's box side. */
+export function offBy(here: string, there: string): number {
+  const [a, b] = [here, there].map((file) => positionsOf(readFileSync(file, 'utf8')));
+  if (a!.length !== b!.length) throw new Error(`${a!.length / 3} and ${b!.length / 3} positions`);
+  const largest = (numbers: number[]) => numbers.reduce((most, x) => Math.max(most, x), -Infinity);
+  const side = largest([0, 1, 2].map((c) => {
+    const of = b!.filter((_, i) => i % 3 === c);
+    return largest(of) + largest(of.map((x) => -x));
+  }));
+  return largest(a!.map((x, i) => Math.abs(x - b![i]!))) / side;
+}

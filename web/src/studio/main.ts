@@ -4,11 +4,11 @@ import './studio.css';
 import { CoreClient, type CoreFiles } from '../core/client';
 import type { Exportable, Failure, Progress } from '../core/protocol';
 import { element } from '../viewer/dom';
-import { count } from '../viewer/figures';
+import { counted } from '../viewer/figures';
 import { Stage } from '../viewer/stage';
 import { themeButton } from '../viewer/theme';
 import { Message, remedy } from './message';
-import { results, verdict } from './results';
+import { good, results, verdict } from './results';
 import { save, stem } from './save';
 import { Session, type Page } from './session';
 import { differences, settingsForm, type Settings } from './settings';
@@ -23,6 +23,7 @@ declare global {
   }
 }
 
+const kTagline = 'Smooth surfaces through your mesh’s vertices: drop a file.';
 /** A solve that is over sooner shows no progress. */
 const kPatience = 350;
 /** Settings that decide on no other control. */
@@ -69,7 +70,7 @@ class Studio implements Page, Receiver {
       ? this.exportMesh('control', this.format) : this.exportMesh('surface', this.surfaceFormat)));
     return element('header', { class: 'top' },
       element('h1', {}, 'Surpass ', element('span', { class: 'quiet' }, 'Studio')),
-      this.sources.samples, this.sources.button, this.exportButton, this.sources.chooser, element('span', { class: 'space' }),
+      this.sources.samples, this.sources.button, this.exportButton, this.sources.chooser, element('p', { class: 'tagline quiet' }, kTagline),
       themeButton((dark) => this.stage.setDark(dark)));
   }
 
@@ -188,7 +189,8 @@ class Studio implements Page, Receiver {
 
   private sizes(): string {
     const { kind, vertices, faces } = this.session.loaded!;
-    return kind === 'mesh' ? `${count(vertices)} vertices, ${count(faces)} faces` : `${count(vertices)} points`;
+    return kind === 'points' ? counted(vertices, 'point', 'points')
+      : `${counted(vertices, 'vertex', 'vertices')}, ${counted(faces, 'face', 'faces')}`;
   }
   private summary(): string {
     return `${this.note}${this.session.name}: ${this.sizes()}`;
@@ -246,8 +248,9 @@ class Studio implements Page, Receiver {
     const written = await this.session.written(what, format);
     if (!written) return;
     save(new Blob([written.bytes]), name);
+    const doubt = good(this.session.solved!) ? '' : ` ${verdict(this.session.solved!).textContent}.`;
     const lost = written.notices.length > 0 ? ` ${written.notices.join('; ')}.` : '';
-    this.status.textContent = `Saved ${name}.${lost}`;
+    this.status.textContent = `Saved ${name}.${doubt}${lost}`;
   }
 }
 

@@ -1,6 +1,6 @@
 // The viewer with what is laid over it - labels, legend, divider - and the toolbar that steers it.
 // Studio and report both are built around one.
-import { cssGradient, shortNumber } from './colour';
+import { cssGradient, kFlat, shortNumber } from './colour';
 import { checkbox, element, segmented, select } from './dom';
 import { isSigned, kShadings, type Shading } from './materials';
 import { Viewer, type Content } from './viewer';
@@ -51,10 +51,12 @@ export class Stage {
 
   constructor() {
     this.root = element('section', { class: 'stage', 'aria-label': 'Picture' }, this.toolbar,
-      element('div', { class: 'canvas-frame' }, this.canvasBox, this.labels, this.legend, this.divider));
+      element('div', { class: 'canvas-frame' }, this.canvasBox, this.labels, this.divider, this.legend));
     this.viewer = new Viewer(this.canvasBox, this.view);
     this.viewer.canvas.setAttribute('role', 'img');
     this.steerDivider();
+    this.toolbar.addEventListener('scroll', () => this.fadeToolbar());
+    new ResizeObserver(() => this.revealChosen()).observe(this.toolbar);
     window.addEventListener('keydown', (event) => this.key(event));
   }
 
@@ -90,7 +92,8 @@ export class Stage {
     view.right = or(view.right, last);
     view.left = or(view.left, ids.length > 1 ? ids[0] : last);
     const overlay = view.overlay.filter((id) => ids.includes(id));
-    view.overlay = overlay.length > 0 || ids.length === 0 ? overlay : ids;
+    // All, where none of the wished ones is there; nothing, if nothing is wished.
+    view.overlay = overlay.length > 0 || view.overlay.length === 0 ? overlay : ids;
     const has = this.shadings();
     if (!has.includes(view.shading)) view.shading = 'matte';
     if (ids.length < 2) view.mode = 'single';
@@ -147,12 +150,33 @@ export class Stage {
     extras.append(upright, home);
     this.toolbar.replaceChildren(...parts, extras);
     if (where) (elementAt(this.toolbar, where) as HTMLElement | undefined)?.focus();
+    this.revealChosen();
+  }
+
+  // Where the toolbar is one row that scrolls: what is being used, or else what is shown, is in view.
+  private revealChosen(): void {
+    const used = this.toolbar.contains(document.activeElement) ? document.activeElement : this.toolbar.querySelector('.shown :checked');
+    const box = used?.closest('label, button')?.getBoundingClientRect();
+    const bar = this.toolbar.getBoundingClientRect();
+    const room = 40;  // for the fading edges
+    if (box && box.right > bar.right - room) this.toolbar.scrollLeft += box.right - bar.right + room;
+    else if (box && box.left < bar.left + room) this.toolbar.scrollLeft += box.left - bar.left - room;
+    this.fadeToolbar();
+  }
+
+  // Edges fade out where there is more.
+  private fadeToolbar(): void {
+    const { scrollLeft, scrollWidth, clientWidth, classList } = this.toolbar;
+    classList.toggle('more-left', scrollLeft > 2);
+    classList.toggle('more-right', scrollLeft + clientWidth < scrollWidth - 2);
   }
 
   private pickers(choices: { value: string; label: string }[]): HTMLElement[] {
     const view = this.view;
     if (view.mode === 'single') {
-      return [segmented('Shown', choices, view.single, (single) => this.change({ single }))];
+      const field = segmented('Shown', choices, view.single, (single) => this.change({ single }));
+      field.classList.add('shown');
+      return [field];
     }
     if (view.mode === 'split') {
       return [select('Left', choices, view.left, (left) => this.change({ left })),
@@ -161,8 +185,10 @@ export class Stage {
     const field = element('fieldset', { class: 'checks' }, element('legend', {}, 'Shown'));
     for (const { value, label } of choices) {
       field.append(checkbox(label, view.overlay.includes(value), (on) => {
-        const rest = this.wish.overlay.filter((id) => id !== value);
-        this.change({ overlay: on ? [...rest, value] : rest });
+        // What the mesh of now does not have stays wished for another one.
+        const absent = this.wish.overlay.filter((id) => !choices.some((c) => c.value === id));
+        const rest = view.overlay.filter((id) => id !== value);
+        this.change({ overlay: [...absent, ...rest, ...(on ? [value] : [])] });
       }));
     }
     return [field];
@@ -194,9 +220,9 @@ export class Stage {
     const signed = isSigned(this.view.shading);
     const bar = element('div', { class: 'legend-bar' });
     bar.style.background = cssGradient(signed ? 'diverging' : 'sequential');
-    const ticks = signed ? [shortNumber(-scale), '0', shortNumber(scale)] : ['0', shortNumber(scale)];
+    const ticks = signed && scale <= kFlat ? ['0'] : signed ? [shortNumber(-scale), '0', shortNumber(scale)] : ['0', shortNumber(scale)];
     this.legend.replaceChildren(element('div', { class: 'legend-title' }, title), bar,
-      element('div', { class: 'legend-ticks' }, ...ticks.map((t) => element('span', {}, t))));
+      element('div', { class: ticks.length > 1 ? 'legend-ticks' : 'legend-ticks one' }, ...ticks.map((t) => element('span', {}, t))));
   }
 
   private steerDivider(): void {

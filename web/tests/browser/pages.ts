@@ -80,5 +80,27 @@ export async function changedFrom(page: Page, before: readonly number[], least =
   return after;
 }
 
+/** In the page: the part of each half's width and height that is not ground. */
+export function halves(): number[][] {
+  const { viewer } = window.surpassStudio!.stage;
+  viewer.draw();
+  const canvas = document.createElement('canvas');
+  const [w, h] = [canvas.width, canvas.height] = [200, 200];
+  const context = canvas.getContext('2d')!;
+  context.drawImage(viewer.canvas, 0, 0, w, h);
+  const { data } = context.getImageData(0, 0, w, h);
+  return [0, 1].map((half) => {
+    let [left, right, low, high] = [w, 0, h, 0];
+    for (let y = 0; y < h; ++y) {
+      for (let x = (half * w) / 2; x < ((half + 1) * w) / 2; ++x) {
+        const at = 4 * (y * w + x);
+        if ([0, 1, 2].every((c) => Math.abs(data[at + c]! - data[c]!) < 24)) continue;
+        [left, right, low, high] = [Math.min(left, x), Math.max(right, x), Math.min(low, y), Math.max(high, y)];
+      }
+    }
+    return [(right - left) / (w / 2), (high - low) / h];
+  });
+}
+
 export const radio = (page: Page, name: string): Locator => page.getByRole('radio', { name, exact: true });
 export const verdict = (page: Page): Locator => page.locator('.verdict');

@@ -68,6 +68,19 @@ test('subdivide, compare and reconstruct write one, too', async () => {
   }
 });
 
+test('a surface that interpolates by itself is no finer in the page than others are', async () => {
+  const torus = data('double_torus.obj');
+  const ran = surpass('interpolate', torus, '-o', file('fine.ply'), '--scheme', 'nonstationary-loop', '--levels', '5', '--html', file('fine.html'));
+  expect(ran.status).toBe(0);
+  const { page, complaints } = await show(file('fine.html'));
+  const vertices = await page.evaluate(() => window.surpassReport!.stage.viewer.shown.find((l) => l.id === 'surface')!.shape.positions.length / 3);
+  expect(vertices).toBeLessThanOrEqual(30000);
+  expect(vertices).toBeGreaterThan(4000);
+  expect(await page.title()).toBe('surpass interpolate: double_torus.obj');
+  expect(complaints).toEqual([]);
+  await page.context().close();
+});
+
 test('compare colours both meshes by their distance', async () => {
   // A square at height 0, and a much larger one whose height is a tenth of x, as two triangles of another cut.
   const slope = 0.1;

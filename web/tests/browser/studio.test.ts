@@ -7,8 +7,8 @@ import type { Browser } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import type { Stage } from '../../src/viewer/stage';
 import type { Session } from '../../src/studio/session';
-import { kRoot, positionsOf, surpass, torus } from '../support';
-import { changedFrom, colours, difference, launch, open, picture, radio, verdict, type Opened } from './pages';
+import { kRoot, offBy, surpass, torus } from '../support';
+import { changedFrom, colours, difference, halves, launch, open, picture, radio, verdict, type Opened } from './pages';
 
 declare global {
   interface Window {
@@ -41,18 +41,6 @@ async function choose(name: string, value: string): Promise<void> {
 
 async function load(name: string, text: string): Promise<void> {
   await opened.page.getByLabel('Mesh file').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
-}
-
-/** How far positions of two OBJ files are apart, of the second one's box side. */
-function offBy(here: string, there: string): number {
-  const [a, b] = [here, there].map((file) => positionsOf(readFileSync(file, 'utf8')));
-  expect(a!.length).toBe(b!.length);
-  const largest = (numbers: number[]) => numbers.reduce((most, x) => Math.max(most, x), -Infinity);
-  const side = largest([0, 1, 2].map((c) => {
-    const of = b!.filter((_, i) => i % 3 === c);
-    return largest(of) + largest(of.map((x) => -x));
-  }));
-  return largest(a!.map((x, i) => Math.abs(x - b![i]!))) / side;
 }
 
 test('a sample is there at once, and passes through its points', async () => {
@@ -202,6 +190,43 @@ test('creases and boundaries are marked', async () => {
   await page.getByLabel('Points').check();
 });
 
+test('overlays show what is ticked, with room for the control mesh', async () => {
+  const { page } = opened;
+  await page.getByLabel('Sample').selectOption('cube.obj');
+  await page.locator('.file', { hasText: 'cube.obj' }).waitFor();
+  await verdict(page).filter({ hasText: 'Passes' }).waitFor();
+  await page.getByRole('button', { name: 'Reset view' }).click();
+  await radio(page, 'Overlay').check();
+  // The control mesh of a cube is nearly twice as large as the cube.
+  const tall = async () => Math.max(...(await page.evaluate(halves)).map((half) => half[1]!));
+  await expect.poll(tall).toBeLessThan(0.97);
+  await expect.poll(tall).toBeGreaterThan(0.6);
+  const overlay = () => page.evaluate(() => [...window.surpassStudio!.stage.view.overlay].sort());
+  const box = (name: string) => page.locator('.checks').getByLabel(name, { exact: true });
+  await box('Given mesh').check();
+  expect(await overlay()).toEqual(['control', 'given', 'surface']);
+  for (const name of ['Given mesh', 'Control mesh', 'Interpolating surface']) await box(name).uncheck();
+  expect(await overlay()).toEqual([]);
+  expect(await page.locator('.checks :checked').count()).toBe(0);
+  for (const name of ['Control mesh', 'Interpolating surface']) await box(name).check();
+  expect(await overlay()).toEqual(['control', 'surface']);
+  await radio(page, 'One').check();
+});
+
+test('a flat mesh has no curvature, and what misses its points is not saved in silence', async () => {
+  const { page } = opened;
+  await load('flat.obj', 'v 0 0 0\nv 1 0 0\nv 0.3 1 0\nf 1 2 3\n');
+  await page.getByRole('status').filter({ hasText: 'flat.obj: 3 vertices, 1 face. Passes' }).waitFor();
+  await radio(page, 'Mean').check();
+  expect(await page.locator('.legend-ticks').textContent()).toBe('0');
+  await radio(page, 'Matte').check();
+  await page.getByLabel('Sample').selectOption('jug.obj');
+  await page.getByLabel('Iterations', { exact: true }).fill('1');
+  await verdict(page).filter({ hasText: 'Off by' }).waitFor();
+  await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Export control mesh' }).click()]);
+  await page.getByRole('status').filter({ hasText: /Saved jug\.control\.obj\. Off by .* the tolerance is/ }).waitFor();
+});
+
 test('from a dropped file to an exported control mesh in two actions, equal to the program’s', async () => {
   const { page } = opened;
   const text = readFileSync(resolve(kRoot, 'data/double_torus.obj'), 'utf8');
@@ -298,28 +323,6 @@ test('both halves of a split show the model at the same size, as large as they c
   await radio(page, 'One').check();
   await page.getByLabel('Points').check();
 });
-
-/** In the page: the part of each half's width and height that is not ground. */
-function halves(): number[][] {
-  const { viewer } = window.surpassStudio!.stage;
-  viewer.draw();
-  const canvas = document.createElement('canvas');
-  const [w, h] = [canvas.width, canvas.height] = [200, 200];
-  const context = canvas.getContext('2d')!;
-  context.drawImage(viewer.canvas, 0, 0, w, h);
-  const { data } = context.getImageData(0, 0, w, h);
-  return [0, 1].map((half) => {
-    let [left, right, low, high] = [w, 0, h, 0];
-    for (let y = 0; y < h; ++y) {
-      for (let x = (half * w) / 2; x < ((half + 1) * w) / 2; ++x) {
-        const at = 4 * (y * w + x);
-        if ([0, 1, 2].every((c) => Math.abs(data[at + c]! - data[c]!) < 24)) continue;
-        [left, right, low, high] = [Math.min(left, x), Math.max(right, x), Math.min(low, y), Math.max(high, y)];
-      }
-    }
-    return [(right - left) / (w / 2), (high - low) / h];
-  });
-}
 
 test('surfaces and pictures are saved, too', async () => {
   const { page } = opened;
@@ -446,6 +449,19 @@ test('everything that can be operated has a name', async () => {
   expect(nameless).toEqual([]);
 });
 
+test('in a small window the picture does not lie over what is used', async () => {
+  const { page } = opened;
+  await page.setViewportSize({ width: 680, height: 430 });
+  await page.getByLabel('Fineness').focus();
+  const slider = (await page.getByLabel('Fineness').boundingBox())!;
+  const stage = (await page.locator('.stage').boundingBox())!;
+  expect(slider.y).toBeGreaterThanOrEqual(stage.y + stage.height);
+  expect(slider.y + slider.height).toBeLessThanOrEqual(430);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(680);
+  expect((await page.locator('header').boundingBox())!.height).toBeLessThan(60);
+  await page.setViewportSize({ width: 1190, height: 620 });
+});
+
 test('dark colours, and a phone', async () => {
   await opened.context.close();
   opened = await studio({ viewport: { width: 390, height: 844 }, colorScheme: 'dark', isMobile: true, hasTouch: true });
@@ -458,4 +474,15 @@ test('dark colours, and a phone', async () => {
   expect(canvas.width).toBeGreaterThan(380);
   expect(canvas.height).toBeGreaterThan(300);
   await page.getByRole('button', { name: 'Export control mesh' }).waitFor();
+
+  // The toolbar is one row that scrolls: what is shown is in view, and the edges tell that there is more.
+  const bar = (await page.locator('.toolbar').boundingBox())!;
+  const chosen = (await page.locator('.toolbar .shown label', { hasText: 'Interpolating surface' }).boundingBox())!;
+  expect(chosen.x).toBeGreaterThanOrEqual(bar.x);
+  expect(chosen.x + chosen.width).toBeLessThanOrEqual(bar.x + bar.width);
+  expect(await page.locator('.toolbar.more-left.more-right').count()).toBe(1);
+  // Settings lie below the picture, not under it.
+  await page.getByLabel('Fineness').focus();
+  const stage = (await page.locator('.stage').boundingBox())!;
+  expect((await page.getByLabel('Fineness').boundingBox())!.y).toBeGreaterThanOrEqual(stage.y + stage.height);
 });
