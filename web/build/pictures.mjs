@@ -25,6 +25,7 @@ const kSettings = [
   ['Non-stationary Loop, round', { scheme: 'nonstationary-loop', shape: 'round' }],
   ['Non-stationary Loop, flat', { scheme: 'nonstationary-loop', shape: 'flat' }],
   ['Doo-Sabin', { scheme: 'doo-sabin', method: 'progressive' }], ['Catmull-Clark, fair', { scheme: 'catmull-clark', method: 'fair', tension: 0 }],
+  ['Doo-Sabin, fair', { scheme: 'doo-sabin', method: 'fair', tension: 0 }],
 ];
 const kColumns = 5;
 const kCells = 15;
@@ -62,6 +63,12 @@ async function sheet({ views, others, columns, cells }) {
   context.imageSmoothingQuality = 'high';
   context.fillStyle = '#ffffff';
   context.fillRect(0, 0, canvas.width, canvas.height);
+  // The ends of the colours, where there are some.
+  const ends = (shading) => {
+    const scale = Number((stage.viewer.scales[shading] ?? 0).toPrecision(2));
+    if (shading === 'mean' || shading === 'gauss') return `, blue \u2212${scale}, red ${scale}`;
+    return shading === 'error' ? `, yellow ${scale}` : '';
+  };
   let cell = 0;
   const add = (label, view) => {
     stage.change({ ...view, marks: true, split: 0.5 });
@@ -72,18 +79,20 @@ async function sheet({ views, others, columns, cells }) {
     context.fillStyle = '#1a222c';
     context.font = '13px sans-serif';
     context.textAlign = 'center';
-    context.fillText(label, x + width / 2, y + height + 15);
+    context.fillText(label + ends(view.shading), x + width / 2, y + height + 15);
     ++cell;
   };
   for (const [label, view] of views) add(label, view);
   const shown = { mode: 'single', single: 'surface', shading: 'reflection', points: false };
   for (const [label, { ...part }] of others) {
     const ofTriangles = part.scheme === 'nonstationary-loop';
-    if (cell === cells || (ofTriangles && !session.loaded.triangles)) continue;
+    // What the mesh does not take, or what was there already.
+    if (cell === cells || (ofTriangles && !session.loaded.triangles) || part.scheme === session.loaded.scheme) continue;
     if (typeof part.shape === 'string') part.shape = session.loaded.shapes[part.shape];
     const levels = Math.max(1, session.settings.levels);
-    await session.change({ scheme: session.loaded.scheme, method: 'progressive', stopAfter: undefined, levels, ...part });
-    if (session.failure) continue;
+    const wished = { scheme: session.loaded.scheme, method: 'progressive', stopAfter: undefined, levels, ...part };
+    await session.change(wished);
+    if (Object.entries(wished).some(([name, value]) => session.shown[name] !== value)) continue;  // It was refused.
     add(label, shown);
   }
   host.style.cssText = '';
