@@ -87,7 +87,8 @@ class Check : public Command {
         ErrorCode::mismatch,
         fmt::format("{} has {} vertices and {} has {}; a control mesh has those of the mesh "
                     "it was made from. Is it a refined surface, or was the given mesh "
-                    "mended (repeat --weld, --repair)?",
+                    "mended (repeat --weld, --repair)? A surface that passes through the points "
+                    "by itself is checked with --scheme nonstationary-loop",
                     control_path_, control.vertex_count(), given_path_, given.vertex_count()));
   }
 

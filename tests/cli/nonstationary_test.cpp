@@ -70,6 +70,10 @@ TEST_F(NonstationaryCommand, InterpolateWritesTheSurfaceAndCheckAgrees) {
   EXPECT_LE(miss(out, given_), 1e-14);
   EXPECT_LE(run({"check", path_, "--against", path_})["error"]["max"], 1e-14);
   EXPECT_LE(run({"check", out, "--against", path_})["error"]["max"], 1e-14);
+  // Without the scheme it is no control mesh; what it may be is said.
+  const Outcome plain = surpass({"check", out, "--against", path_});
+  EXPECT_EQ(plain.status, 3);
+  EXPECT_NE(plain.err.find("--scheme nonstationary-loop"), std::string::npos) << plain.err;
   EXPECT_GE(run({"check", path_, "--against", path_, "--uniform", "1"}, 4)["error"]["max"], 1e-3);
   EXPECT_GE(
       run({"interpolate", path_, "-o", folder_ / "no.ply", "--rule", "mean"}, 4)["error"]["max"],
