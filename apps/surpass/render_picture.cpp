@@ -41,7 +41,7 @@ Result<RenderOptions> to_options(const PictureWishes& wishes) {
   const auto camera = read_numbers("--camera", wishes.camera, ',', 2, 3, "30,20");
   if (!camera) return tl::make_unexpected(camera.error());
   RenderOptions options;
-  const auto pixels = [](double x) { return static_cast<int>(std::clamp(x, -1.0, 1e6)); };
+  const auto pixels = [](double x) { return static_cast<int>(std::clamp(x, -1e6, 1e6)); };
   options.width = pixels((*size)[0]);
   options.height = pixels((*size)[1]);
   options.azimuth = (*camera)[0];

@@ -108,6 +108,8 @@ TEST_F(RenderCommand, RefusesWhatCannotBeMeant) {
   report_of({kTorus, "--style", "curvature", "--range", "1"}, 1);
   report_of({kTorus, "--camera", "1,2,3,4"}, 1);
   report_of({kTorus, "--camera", "1,2,0"}, 1);
+  report_of({kTorus, "--size=-5x10"}, 1);
+  EXPECT_NE(outcome_.err.find("-5 x 10"), std::string::npos) << outcome_.err;
   report_of({kTorus, "--reflection-lines"}, 1);
   const std::string points = folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   report_of({points, "--style", "curvature"}, 3);
