@@ -176,10 +176,15 @@ void HtmlReport::add(const char* id, const std::string& label, LayerKind kind, c
   layers_.push_back(std::move(layer));
 }
 
-Result<void> HtmlReport::add_limit(const char* id, const std::string& label, const Mesh& control,
-                                   const Rules& rules, const Context& context) {
+int HtmlReport::shown_levels(const Mesh& control) {
   int levels = 0;
   while (levels < 4 && control.vertex_count() * std::pow(4.0, levels + 1) <= kMostShown) ++levels;
+  return levels;
+}
+
+Result<void> HtmlReport::add_limit(const char* id, const std::string& label, const Mesh& control,
+                                   const Rules& rules, const Context& context) {
+  int levels = shown_levels(control);
   if (levels == 0 && rules.scheme == Scheme::doo_sabin) levels = 1;
   Result<Mesh> limit = limit_mesh(control, rules, levels, context);
   if (!limit) return tl::make_unexpected(limit.error());

@@ -34,6 +34,9 @@ class HtmlReport {
   /// "distance" are shown.
   void add(const char* id, const std::string& label, LayerKind kind, const Mesh& mesh);
 
+  /// How often a surface is refined that a page can hold.
+  [[nodiscard]] static int shown_levels(const Mesh& control);
+
   /// Adds the limit surface of a control mesh, with its curvature, as fine as a page can hold.
   [[nodiscard]] Result<void> add_limit(const char* id, const std::string& label,
                                        const Mesh& control, const Rules& rules,

@@ -264,8 +264,21 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
   session.report["method"] = "nonstationary";
   session.report["levels"] = surface_.levels();
   if (const auto checked = check_levels(given, surface_.levels()); !checked) return checked;
-  const auto made = nonstationary_.refined(given, rules_, 0, surface_.levels(), session);
+  // A page gets what it can hold, on the way to what is written.
+  const int shown_levels =
+      page_.wanted() ? std::min(surface_.levels(), HtmlReport::shown_levels(given)) : 0;
+  auto made = nonstationary_.refined(given, rules_, 0, shown_levels, session);
   if (!made) return tl::make_unexpected(made.error());
+  std::optional<Mesh> shown;
+  if (page_.wanted() && shown_levels < surface_.levels()) {
+    Result<Mesh> limit = made->limit_mesh(session.context);
+    if (!limit) return tl::make_unexpected(limit.error());
+    shown = std::move(*limit);
+  }
+  for (int level = shown_levels; level < surface_.levels(); ++level) {
+    const auto done = session.timed("refine", [&] { return made->refine(session.context); });
+    if (!done) return tl::make_unexpected(done.error());
+  }
   Result<Mesh> surface = session.timed("refine", [&] { return made->limit_mesh(session.context); });
   if (!surface) return tl::make_unexpected(surface.error());
   forget_rules(*surface);
@@ -306,7 +319,8 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
     if (page_.wanted()) {
       page_.add("given", "Given mesh", LayerKind::mesh, given);
       page_.mark(given.points);
-      const auto added = page_.add_surface("surface", "Surface", *surface, session.context);
+      const auto added = page_.add_surface("surface", "Surface",
+                                           shown ? std::move(*shown) : *surface, session.context);
       if (const auto done = added ? page_.write(session) : added; !done) return done;
     }
   }
