@@ -1,6 +1,6 @@
 // Every committed mesh, and every mesh of a folder given from outside, under each scheme: to 1e-12
-// under each boundary rule, certified by us and, where it has the rules, by OpenSubdiv; or refused
-// for a reason that is checked.
+// under each boundary rule, certified by us and, where it has the rules, by OpenSubdiv, with the
+// same bits for any number of threads; or refused for a reason that is checked.
 #include "support/meshes.hpp"
 
 #include <surpass/oracle.hpp>
@@ -36,6 +36,15 @@ void check_certificates(const Mesh& given, const Interpolated& found, const Rule
   const auto theirs = certify_with_opensubdiv(found.control, given.points, rules);
   ASSERT_TRUE(theirs) << describe(theirs.error());
   EXPECT_LE(theirs->max, 2 * found.report.tolerance);
+}
+
+void check_threads(const Mesh& given, const Interpolated& found,
+                   const InterpolateOptions& options) {
+  for (const int threads : {1, 2, 3, 8}) {
+    const auto again = interpolate(given, options, {.threads = threads});
+    ASSERT_TRUE(again) << describe(again.error());
+    EXPECT_EQ(again->control.points, found.control.points) << threads << " threads";
+  }
 }
 
 // The refusal is right if no control mesh comes closer than the tolerance: shown by the best one
@@ -87,7 +96,8 @@ void check_mesh(const std::string& path, Scheme scheme, Tally& tally) {
   for (const Boundary boundary : boundaries_of(scheme)) {
     const Rules rules{scheme, boundary};
     SCOPED_TRACE(name_of(boundary));
-    const auto result = interpolate(given, {.rules = rules, .tolerance = 1e-12});
+    const InterpolateOptions options{.rules = rules, .tolerance = 1e-12};
+    const auto result = interpolate(given, options);
     if (!result && result.error().code == ErrorCode::unsuitable_for_scheme) {
       ++tally.refused;  // semi-sharp creases on Doo-Sabin surfaces
       return;
@@ -99,6 +109,7 @@ void check_mesh(const std::string& path, Scheme scheme, Tally& tally) {
     }
     EXPECT_TRUE(result->report.converged);
     check_certificates(given, *result, rules);
+    if (boundary == Rules().boundary) check_threads(given, *result, options);
   }
   ++(singular ? tally.singular : tally.interpolated);
 }
