@@ -21,11 +21,11 @@ class LinearConstraints {
     double scale;
   };
 
-  /// Fails with `contradictory` if equations contradict each other or the given vertices, naming the
-  /// requirements; with `cancelled`. Of those that nearly depend on others only what they have of
-  /// their own is solved for, at full length. `targets` are those of the given
-  /// vertices in the units, #given by 3. Cost: two sparse Cholesky decompositions of the equations'
-  /// products. The elimination must outlive it.
+  /// Fails with `contradictory` if equations contradict each other or the given vertices, naming
+  /// the requirements; with `cancelled`. Of those that nearly depend on others only what they have
+  /// of their own is solved for, at full length. `targets` are those of the given vertices in the
+  /// units, #given by 3. Cost: two sparse Cholesky decompositions of the equations' products. The
+  /// elimination must outlive it.
   static Result<LinearConstraints> build(const RequirementRows& equations,
                                          std::span<const Requirement> requirements,
                                          const FreeSystem& system, std::span<const double> targets,
