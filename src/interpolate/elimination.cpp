@@ -137,6 +137,7 @@ void Elimination::meet_3(Index i, const double* own, std::span<double> x) const 
 }
 
 void Elimination::restrict_3(std::size_t j, std::span<double> y) const {
+  if (starts_[j] == starts_[j + 1]) return;  // a dependent point, which others read meanwhile
   double* to = &y[3 * j];
   double sum[3] = {to[0], to[1], to[2]};
   for (Index k = starts_[j]; k < starts_[j + 1]; ++k) {
