@@ -216,8 +216,8 @@ Result<std::vector<Point>> opensubdiv_limit_positions(const Mesh& control, const
   }
   if (notes != nullptr && deep > 0) {
     notes->push_back(fmt::format(
-        "{} vertices where OpenSubdiv has no exact mask (darts, semi-sharp creases, interior "
-        "valence 2) were evaluated by its deep refinement",
+        "vertices where OpenSubdiv has no exact mask (darts, semi-sharp creases, interior valence "
+        "2) were evaluated by its deep refinement: {}",
         deep));
   }
   return positions;
