@@ -275,9 +275,8 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
     if (!limit) return tl::make_unexpected(limit.error());
     shown = std::move(*limit);
   }
-  for (int level = shown_levels; level < surface_.levels(); ++level) {
-    const auto done = session.timed("refine", [&] { return made->refine(session.context); });
-    if (!done) return tl::make_unexpected(done.error());
+  if (const auto done = Nonstationary::refine(*made, surface_.levels(), session); !done) {
+    return done;
   }
   Result<Mesh> surface = session.timed("refine", [&] { return made->limit_mesh(session.context); });
   if (!surface) return tl::make_unexpected(surface.error());

@@ -234,12 +234,20 @@ Result<NonstationaryLoop> Nonstationary::refined(const Mesh& mesh, const RulesOp
                                                  int steps, int levels, Session& session) const {
   auto surface = create(mesh, rules, steps, session);
   if (!surface) return surface;
-  for (int level = 0; level < levels; ++level) {
-    session.context.report({.stage = "subdivide", .fraction = static_cast<double>(level) / levels});
-    const auto done = session.timed("refine", [&] { return surface->refine(session.context); });
-    if (!done) return tl::make_unexpected(done.error());
+  if (const auto done = refine(*surface, levels, session); !done) {
+    return tl::make_unexpected(done.error());
   }
   return surface;
+}
+
+Result<void> Nonstationary::refine(NonstationaryLoop& surface, int levels, Session& session) {
+  while (surface.level() < levels) {
+    session.context.report(
+        {.stage = "subdivide", .fraction = static_cast<double>(surface.level()) / levels});
+    const auto done = session.timed("refine", [&] { return surface.refine(session.context); });
+    if (!done) return done;
+  }
+  return {};
 }
 
 }  // namespace surpass::cli

@@ -41,6 +41,10 @@ class Nonstationary {
   [[nodiscard]] Result<NonstationaryLoop> refined(const Mesh& mesh, const RulesOption& rules,
                                                   int steps, int levels, Session& session) const;
 
+  /// On from the level where the surface is.
+  [[nodiscard]] static Result<void> refine(NonstationaryLoop& surface, int levels,
+                                           Session& session);
+
   /// What create() would take. A shape that is to be found is the best by `measure`.
   [[nodiscard]] Result<NonstationaryOptions> choose(const Mesh& mesh, const RulesOption& rules,
                                                     int steps, Session& session,

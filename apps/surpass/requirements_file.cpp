@@ -1,5 +1,7 @@
 #include "requirements_file.hpp"
 
+#include <surpass/io.hpp>
+
 #include <cmath>
 #include <initializer_list>
 
@@ -7,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "session.hpp"
-#include "text_file.hpp"
 
 namespace surpass::cli {
 namespace {
@@ -122,7 +123,7 @@ class Entry {
 }  // namespace
 
 Result<std::vector<Requirement>> read_requirements(const std::string& path) {
-  const Result<std::string> text = read_text(path);
+  const Result<std::string> text = read_file(path);
   if (!text) return tl::make_unexpected(text.error());
   const Place place{.file = path};
   Json json;

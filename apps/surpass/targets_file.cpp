@@ -1,12 +1,12 @@
 #include "targets_file.hpp"
 
+#include <surpass/io.hpp>
+
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
 
 #include <fmt/format.h>
-
-#include "text_file.hpp"
 
 namespace surpass::cli {
 
@@ -18,7 +18,7 @@ struct Word {
 };
 
 Result<std::vector<Word>> read_words(const std::string& path) {
-  const Result<std::string> text = read_text(path);
+  const Result<std::string> text = read_file(path);
   if (!text) return tl::make_unexpected(text.error());
   std::istringstream file(*text);
   constexpr char kSpace[] = " \t\r\v\f";

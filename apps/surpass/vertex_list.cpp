@@ -1,12 +1,12 @@
 #include "vertex_list.hpp"
 
+#include <surpass/io.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <sstream>
 
 #include <fmt/format.h>
-
-#include "text_file.hpp"
 
 namespace surpass::cli {
 
@@ -42,7 +42,7 @@ Result<void> parse_line(std::string_view line, Index vertex_count, Place place,
 
 Result<std::vector<Index>> read_vertex_list(const std::string& path, Index vertex_count) {
   Place place{.file = path};
-  const Result<std::string> text = read_text(path);
+  const Result<std::string> text = read_file(path);
   if (!text) return tl::make_unexpected(text.error());
   std::istringstream file(*text);
   std::vector<Index> vertices;

@@ -75,6 +75,10 @@ struct WriteOptions {
 [[nodiscard]] const char* name_of(Format format);
 [[nodiscard]] Format format_named(std::string_view name);
 
+/// Any file, device or pipe to its end, as read_mesh reads it; "-" is the standard input. Fails
+/// with cannot_open or cannot_read, also for folders.
+[[nodiscard]] Result<std::string> read_file(const std::string& path);
+
 /// Writes any bytes as write_mesh writes a mesh: beside, flushed, renamed. "-" is the standard
 /// output.
 [[nodiscard]] Result<void> write_file(const std::string& path, std::string_view bytes);

@@ -118,7 +118,7 @@ struct NonstationaryOptions {
 class NonstationaryLoop {
  public:
   /// Checks the mesh and solves for the parameters: one scalar equation a valence and target; then
-  /// looks for folds at curves, in O(#faces at curves) for each time that some are found.
+  /// looks for folds at curves, in O(#corners) for each time that some are found.
   /// Errors: as Topology::build; unsuitable_for_scheme, naming a face that is no triangle, an
   /// interior vertex of valence below 3, a semi-sharp crease or corner, or the end of a crease;
   /// invalid_argument for options out of range, a boundary rule that there is not, a target that

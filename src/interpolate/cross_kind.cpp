@@ -40,8 +40,8 @@ WeightRows regular_rows() {
   return rows;
 }
 
-// The same of the patches of a star, one after the other. WeightRows that are not found by
-// refinement are 0.
+// The same of the patches of a star, one after the other. Rows that are not found by refinement
+// are 0.
 WeightRows star_rows(star_patch::Faces faces) {
   const std::size_t points = 1 + star_patch::kPoints * faces.count;
   const bool regular = faces.count == 4;

@@ -445,12 +445,13 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
     if (equations->released[v] != 0) targets[v] = limits[v];
   }
   SimilaritySolution solution = solution_of(prepared, *found, targets, context);
-  const double side = bounding_box(points).side();
-  if (auto ok = check_planes(requirements, *equations, control.points, side > 0 ? side : 1); !ok) {
+  const double extent = bounding_box(points).side();
+  const double side = extent > 0 ? extent : 1;
+  if (auto ok = check_planes(requirements, *equations, control.points, side); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  auto outcomes = requirement_outcomes(control, rules, limits, *equations, requirements,
-                                       side > 0 ? side : 1, context);
+  auto outcomes =
+      requirement_outcomes(control, rules, limits, *equations, requirements, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   solution.report.requirements = std::move(*outcomes);
   for (std::size_t i = 0; i < found->redundant.size(); ++i) {

@@ -117,4 +117,10 @@ Result<LoadedMesh> read_mesh(const std::string& path, Format format) {
   return parse_mesh(bytes->view(), format, name_in_errors(path));
 }
 
+Result<std::string> read_file(const std::string& path) {
+  const Result<io::Bytes> bytes = io::read_bytes(path);
+  if (!bytes) return tl::make_unexpected(bytes.error());
+  return std::string(bytes->view());
+}
+
 }  // namespace surpass

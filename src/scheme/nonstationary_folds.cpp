@@ -55,10 +55,9 @@ Point area_vector(const Mesh& mesh, const Topology& topology, Index v) {
 
 }  // namespace
 
-Result<std::vector<Index>> NonstationaryLoop::Impl::folds(const Context& context) const {
-  const auto around = neighbourhood();
-  if (!around) return tl::make_unexpected(around.error());
-  const auto& [topology, sharpness] = *around;
+Result<std::vector<Index>> NonstationaryLoop::Impl::folds(const Neighbourhood& around,
+                                                          const Context& context) const {
+  const auto& [topology, sharpness] = around;
   const Selection chosen = around_curves(mesh, topology, sharpness);
   Impl part;
   part.state = state;
@@ -83,14 +82,18 @@ Result<std::vector<Index>> NonstationaryLoop::Impl::folds(const Context& context
   return folded;
 }
 
-Result<void> NonstationaryLoop::Impl::make_corners_at_folds(const Context& context) {
+Result<void> NonstationaryLoop::Impl::make_corners_at_folds(Neighbourhood& around,
+                                                            const Context& context) {
   std::vector<Index> corners;
   for (;;) {
     // A corner bends the curve beside it, which may fold in its turn.
-    const auto more = folds(context);
+    const auto more = folds(around, context);
     if (!more) return tl::make_unexpected(more.error());
     if (more->empty()) break;
     for (const Index v : *more) mesh.corners.push_back({v, kInfinitelySharp});
+    auto sharpness = Sharpness::build(mesh, around.topology, state.options.boundary);
+    if (!sharpness) return tl::make_unexpected(sharpness.error());
+    around.sharpness = std::move(*sharpness);
     corners.insert(corners.end(), more->begin(), more->end());
   }
   if (corners.empty()) return {};

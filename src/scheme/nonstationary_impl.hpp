@@ -27,8 +27,10 @@ struct NonstationaryLoop::Impl {
                                       const Context& context) const;
 
   /// Vertices on smooth curves where the normal at level 0 is on the other side than the faces'.
-  [[nodiscard]] Result<std::vector<Index>> folds(const Context& context) const;
-  Result<void> make_corners_at_folds(const Context& context);
+  [[nodiscard]] Result<std::vector<Index>> folds(const Neighbourhood& around,
+                                                 const Context& context) const;
+  /// `around` is the mesh's; its sharp vertices are then those with the new corners.
+  Result<void> make_corners_at_folds(Neighbourhood& around, const Context& context);
 };
 
 }  // namespace surpass

@@ -49,7 +49,7 @@ Result<NonstationaryLoop> NonstationaryLoop::create(const Mesh& control,
   auto impl = std::make_unique<Impl>();
   impl->mesh = control;
   impl->state.options = options;
-  const auto around = impl->neighbourhood();
+  auto around = impl->neighbourhood();
   if (!around) return tl::make_unexpected(around.error());
   const auto& [topology, sharpness] = *around;
   if (auto ok = nonstationary::check_mesh(control, topology, sharpness, options); !ok) {
@@ -65,7 +65,7 @@ Result<NonstationaryLoop> NonstationaryLoop::create(const Mesh& control,
   const bool curves = topology.boundary_edge_count() > 0 || !control.creases.empty();
   impl->first_step_is_its_own = options.rule == NonstationaryRule::quadratic || curves;
   if (curves && options.corners_at_folds && state.interpolates()) {
-    if (auto ok = impl->make_corners_at_folds(context); !ok) {
+    if (auto ok = impl->make_corners_at_folds(*around, context); !ok) {
       return tl::make_unexpected(ok.error());
     }
   }
