@@ -12,12 +12,22 @@ struct Vectors {
 };
 
 template <class W>
-[[gnu::always_inline]] inline typename W::Numbers& at(double* lanes) {
+[[gnu::always_inline]] inline typename W::Numbers& at(typename W::Real* lanes) {
   return *reinterpret_cast<typename W::Numbers*>(lanes);
 }
 template <class W>
-[[gnu::always_inline]] inline const typename W::Numbers& at(const double* lanes) {
+[[gnu::always_inline]] inline const typename W::Numbers& at(const typename W::Real* lanes) {
   return *reinterpret_cast<const typename W::Numbers*>(lanes);
+}
+
+template <class W>
+using LanePoints = LaneVectors<typename W::Real>;
+template <class W>
+using LaneLaw = RowLaw<typename W::Real>;
+
+template <class W>
+[[gnu::always_inline]] inline typename W::Real weight_at(const CrossKind& kind, std::size_t i) {
+  return static_cast<typename W::Real>(kind.weight[i]);
 }
 
 template <class W>
@@ -29,20 +39,20 @@ template <class W>
 // What the weight is divided by. kBounded: laws have thresholds, and it is 1 where there is no
 // weight.
 template <class W, bool kBounded>
-[[gnu::always_inline]] inline void divisor(const RowLaw& law, const typename W::Numbers& square,
+[[gnu::always_inline]] inline void divisor(const LaneLaw<W>& law, const typename W::Numbers& square,
                                            typename W::Numbers& found) {
   using Numbers = typename W::Numbers;
   using Bits = typename W::Bits;
   found = law.slope * square + law.constant;
   if (!kBounded) return;
   const Bits above = square > law.threshold;
-  const Numbers one = Numbers{} + 1.0;
+  const Numbers one = Numbers{} + 1;
   found = reinterpret_cast<Numbers>((reinterpret_cast<Bits>(found) & above) |
                                     (reinterpret_cast<Bits>(one) & ~above));
 }
 
 template <class W, bool kBounded>
-[[gnu::always_inline]] inline void weigh(const RowLaw& law, const typename W::Numbers& square,
+[[gnu::always_inline]] inline void weigh(const LaneLaw<W>& law, const typename W::Numbers& square,
                                          const typename W::Numbers& reciprocal,
                                          typename W::Numbers& weight) {
   using Numbers = typename W::Numbers;
@@ -55,7 +65,7 @@ template <class W, bool kBounded>
 
 // q becomes the weight times (g.g q - g.q g); `square` is g.g, the reciprocal that of its divisor.
 template <class W, bool kBounded>
-[[gnu::always_inline]] inline void cross_twice(const RowLaw& law, const Vectors<W>& g,
+[[gnu::always_inline]] inline void cross_twice(const LaneLaw<W>& law, const Vectors<W>& g,
                                                typename W::Numbers& square,
                                                const typename W::Numbers& reciprocal,
                                                Vectors<W>& q) {
@@ -69,7 +79,7 @@ template <class W, bool kBounded>
 }
 
 template <class W>
-[[gnu::always_inline]] inline void cross_twice(const RowLaw& law, const Vectors<W>& g,
+[[gnu::always_inline]] inline void cross_twice(const LaneLaw<W>& law, const Vectors<W>& g,
                                                Vectors<W>& q) {
   typename W::Numbers square;
   typename W::Numbers only;
@@ -92,7 +102,7 @@ struct Derivatives {
 
 // Two rows share a division, which takes as long as all else that is done for them here.
 template <class W, bool kBounded>
-[[gnu::always_inline]] inline void cross_pairs(const RowLaw* laws, const Derivatives<W>& g,
+[[gnu::always_inline]] inline void cross_pairs(const LaneLaw<W>* laws, const Derivatives<W>& g,
                                                std::size_t rows, Derivatives<W>& q) {
   using Numbers = typename W::Numbers;
   for (std::size_t r = 0; r + 1 < rows; r += 2) {
@@ -116,7 +126,7 @@ template <class W, bool kBounded>
 }
 
 template <class W>
-[[gnu::always_inline]] inline void cross_all(const RowLaw* laws, const Derivatives<W>& g,
+[[gnu::always_inline]] inline void cross_all(const LaneLaw<W>* laws, const Derivatives<W>& g,
                                              std::size_t rows, Derivatives<W>& q) {
   if (laws->is_bounded()) {
     cross_pairs<W, true>(laws, g, rows, q);
@@ -135,18 +145,18 @@ template <class W>
 // A row times points; of the lanes from `first` on, as below.
 template <class W>
 [[gnu::always_inline]] inline void derive(const CrossKind& kind, const CrossKind::Row& row,
-                                          const LaneVectors* points, std::size_t first,
+                                          const LanePoints<W>* points, std::size_t first,
                                           Vectors<W>& sum) {
   sum = {};
   for (std::size_t i = row.begin; i < row.end; ++i) {
-    const LaneVectors& p = points[kind.column[i]];
-    for (std::size_t c = 0; c < 3; ++c) sum.of[c] += kind.weight[i] * at<W>(p.of[c] + first);
+    const LanePoints<W>& p = points[kind.column[i]];
+    for (std::size_t c = 0; c < 3; ++c) sum.of[c] += weight_at<W>(kind, i) * at<W>(p.of[c] + first);
   }
 }
 
 template <class W>
-[[gnu::always_inline]] inline void regular_derivatives(const LaneVectors* points, std::size_t first,
-                                                       Derivatives<W>& rows) {
+[[gnu::always_inline]] inline void regular_derivatives(const LanePoints<W>* points,
+                                                       std::size_t first, Derivatives<W>& rows) {
   for (std::size_t c = 0; c < 3; ++c) {
     typename W::Numbers p[regular_patch::kPoints];
     for (std::size_t k = 0; k < regular_patch::kPoints; ++k) {
@@ -157,10 +167,10 @@ template <class W>
 }
 
 template <class W>
-[[gnu::always_inline]] inline void regular_gradient(const RowLaw* laws,
-                                                    const LaneVectors* reference,
-                                                    const LaneVectors* x, std::size_t first,
-                                                    LaneVectors* sums) {
+[[gnu::always_inline]] inline void regular_gradient(const LaneLaw<W>* laws,
+                                                    const LanePoints<W>* reference,
+                                                    const LanePoints<W>* x, std::size_t first,
+                                                    LanePoints<W>* sums) {
   Derivatives<W> g;
   Derivatives<W> q;
   regular_derivatives<W>(reference, first, g);
@@ -177,8 +187,8 @@ template <class W>
 
 // Coordinate c of the fine points of a star.
 template <class W>
-[[gnu::always_inline]] inline void refine_star(star_patch::Faces faces, const LaneVectors* points,
-                                               std::size_t first, LaneVectors* fine) {
+[[gnu::always_inline]] inline void refine_star(star_patch::Faces faces, const LanePoints<W>* points,
+                                               std::size_t first, LanePoints<W>* fine) {
   using Numbers = typename W::Numbers;
   for (std::size_t c = 0; c < 3; ++c) {
     star_patch::refine<Numbers>(
@@ -196,22 +206,23 @@ template <class W>
 template <class W>
 class Window {
  public:
-  Window(star_patch::Faces faces, std::size_t k, const double* fine) : fine_(fine), at_(faces, k) {}
+  Window(star_patch::Faces faces, std::size_t k, const typename W::Real* fine)
+      : fine_(fine), at_(faces, k) {}
   [[gnu::always_inline]] const typename W::Numbers& operator[](std::size_t place) const {
     return at<W>(fine_ + kStride * at_.fine(place));
   }
 
  private:
-  static constexpr std::size_t kStride = sizeof(LaneVectors) / sizeof(double);
-  const double* fine_;
+  static constexpr std::size_t kStride = sizeof(LanePoints<W>) / sizeof(typename W::Real);
+  const typename W::Real* fine_;
   star_patch::Window at_;
 };
 
 // The rows of patch k of a star, from its fine points or, where these do not tell, its points.
 template <class W, bool kRegular>
 [[gnu::always_inline]] inline void star_derivatives(const CrossKind& kind, std::size_t k,
-                                                    const LaneVectors* points,
-                                                    const LaneVectors* fine, std::size_t first,
+                                                    const LanePoints<W>* points,
+                                                    const LanePoints<W>* fine, std::size_t first,
                                                     Derivatives<W>& rows) {
   for (std::size_t c = 0; c < 3; ++c) {
     star_patch::rows_of_patch(Window<W>({kind.star}, k, fine->of[c] + first), kRegular, rows.of[c]);
@@ -227,7 +238,7 @@ template <class W, bool kRegular>
 template <class W, bool kRegular>
 [[gnu::always_inline]] inline void collect_star_rows(const CrossKind& kind, std::size_t k,
                                                      const Derivatives<W>& rows, std::size_t first,
-                                                     LaneVectors* fine) {
+                                                     LanePoints<W>* fine) {
   const star_patch::Window places({kind.star}, k);
   for (std::size_t c = 0; c < 3; ++c) {
     // Among three faces two of the places are of the same fine point.
@@ -240,16 +251,16 @@ template <class W, bool kRegular>
 }
 
 template <class W, bool kRegular>
-[[gnu::always_inline]] inline void star_gradient(const CrossKind& kind, const RowLaw* laws,
-                                                 const LaneVectors* reference, const LaneVectors* x,
-                                                 std::size_t first, LaneVectors* sums,
-                                                 LaneVectors* work) {
+[[gnu::always_inline]] inline void star_gradient(const CrossKind& kind, const LaneLaw<W>* laws,
+                                                 const LanePoints<W>* reference,
+                                                 const LanePoints<W>* x, std::size_t first,
+                                                 LanePoints<W>* sums, LanePoints<W>* work) {
   using Numbers = typename W::Numbers;
   const star_patch::Faces faces{kind.star};
   const std::size_t size = kind.fine_points();
-  LaneVectors* const of_reference = work;
-  LaneVectors* const of_x = work + size;
-  LaneVectors* const of_sums = work + 2 * size;
+  LanePoints<W>* const of_reference = work;
+  LanePoints<W>* const of_x = work + size;
+  LanePoints<W>* const of_sums = work + 2 * size;
   refine_star<W>(faces, reference, first, of_reference);
   refine_star<W>(faces, x, first, of_x);
   for (std::size_t i = 0; i < size; ++i) {
@@ -261,7 +272,7 @@ template <class W, bool kRegular>
     Derivatives<W> q;
     star_derivatives<W, kRegular>(kind, k, reference, of_reference, first, g);
     star_derivatives<W, kRegular>(kind, k, x, of_x, first, q);
-    const RowLaw* const own = laws + star_patch::row_count(kRegular) * k;
+    const LaneLaw<W>* const own = laws + star_patch::row_count(kRegular) * k;
     cross_all<W>(own, g, star_patch::row_count(kRegular), q);
     if (!kRegular) q.get(star_patch::kAtCentre, tangents[k]);
     collect_star_rows<W, kRegular>(kind, k, q, first, of_sums);
@@ -279,9 +290,9 @@ template <class W, bool kRegular>
   for (std::size_t k = 0; !kRegular && k < faces.count; ++k) {
     const CrossKind::Row& row = kind.rows[star_patch::kMostRows * k + star_patch::kAtCentre];
     for (std::size_t i = row.begin; i < row.end; ++i) {
-      LaneVectors& to = sums[kind.column[i]];
+      LanePoints<W>& to = sums[kind.column[i]];
       for (std::size_t c = 0; c < 3; ++c) {
-        at<W>(to.of[c] + first) += kind.weight[i] * tangents[k].of[c];
+        at<W>(to.of[c] + first) += weight_at<W>(kind, i) * tangents[k].of[c];
       }
     }
   }
@@ -289,9 +300,9 @@ template <class W, bool kRegular>
 
 // use(r, derivative r of the points) for the rows of a kind.
 template <class W, class Use>
-[[gnu::always_inline]] inline void for_derivatives(const CrossKind& kind, const LaneVectors* points,
-                                                   std::size_t first, LaneVectors* work,
-                                                   Use&& use) {
+[[gnu::always_inline]] inline void for_derivatives(const CrossKind& kind,
+                                                   const LanePoints<W>* points, std::size_t first,
+                                                   LanePoints<W>* work, Use&& use) {
   if (kind.star != 0) {
     refine_star<W>({kind.star}, points, first, work);
     for (std::size_t k = 0; k < kind.star; ++k) {
@@ -326,9 +337,9 @@ template <class W, class Use>
 }
 
 template <class W>
-[[gnu::always_inline]] inline void squares_of(const CrossKind& kind, const LaneVectors* reference,
+[[gnu::always_inline]] inline void squares_of(const CrossKind& kind, const LanePoints<W>* reference,
                                               std::size_t first, LaneNumbers* squares,
-                                              LaneVectors* work) {
+                                              LanePoints<W>* work) {
   for_derivatives<W>(
       kind, reference, first,
       work, [&](std::size_t r, const Vectors<W>& g) __attribute__((always_inline)) {
@@ -337,10 +348,10 @@ template <class W>
 }
 
 template <class W>
-[[gnu::always_inline]] inline void gradient_of(const CrossKind& kind, const RowLaw* laws,
-                                               const LaneVectors* reference, const LaneVectors* x,
-                                               std::size_t first, LaneVectors* sums,
-                                               LaneVectors* work) {
+[[gnu::always_inline]] inline void gradient_of(const CrossKind& kind, const LaneLaw<W>* laws,
+                                               const LanePoints<W>* reference,
+                                               const LanePoints<W>* x, std::size_t first,
+                                               LanePoints<W>* sums, LanePoints<W>* work) {
   if (kind.star == 4) {
     return star_gradient<W, true>(kind, laws, reference, x, first, sums, work);
   }
@@ -359,17 +370,18 @@ template <class W>
     derive<W>(kind, row, x, first, q);
     cross_twice<W>(laws[r], g, q);
     for (std::size_t i = row.begin; i < row.end; ++i) {
-      LaneVectors& to = sums[kind.column[i]];
-      for (std::size_t c = 0; c < 3; ++c) at<W>(to.of[c] + first) += kind.weight[i] * q.of[c];
+      LanePoints<W>& to = sums[kind.column[i]];
+      for (std::size_t c = 0; c < 3; ++c)
+        at<W>(to.of[c] + first) += weight_at<W>(kind, i) * q.of[c];
     }
   }
 }
 
 // First the blocks of all rows, then their sums: so these stay in registers.
 template <class W>
-[[gnu::always_inline]] inline void diagonal_of(const CrossKind& kind, const RowLaw* laws,
-                                               const LaneVectors* reference, std::size_t first,
-                                               LaneBlock* sums, LaneVectors* work) {
+[[gnu::always_inline]] inline void diagonal_of(const CrossKind& kind, const LaneLaw<W>* laws,
+                                               const LanePoints<W>* reference, std::size_t first,
+                                               LaneBlock* sums, LanePoints<W>* work) {
   using Numbers = typename W::Numbers;
   auto* const blocks = reinterpret_cast<LaneBlock*>(work + kind.fine_points());
   const auto keep = [&](std::size_t r, const Vectors<W>& g) __attribute__((always_inline)) {
@@ -403,28 +415,37 @@ template <class W>
 
 }  // namespace
 
-void squares_of_patches(const CrossKind& kind, const LaneVectors* reference, LaneNumbers* squares,
-                        LaneVectors* work) {
-  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
-    for (std::size_t l = 0; l < kLanes; l += W::kCount) {
+void squares_of_patches(const CrossKind& kind, const LaneVectors<double>* reference,
+                        LaneNumbers* squares, LaneVectors<double>* work) {
+  run_on_lanes<double>([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes<double>; l += kCount<W>) {
       squares_of<W>(kind, reference, l, squares, work);
     }
   });
 }
 
-void gradient_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
-                         const LaneVectors* x, LaneVectors* sums, LaneVectors* work) {
-  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
-    for (std::size_t l = 0; l < kLanes; l += W::kCount) {
+template <class Real>
+void gradient_of_patches(const CrossKind& kind, const RowLaw<Real>* laws,
+                         const LaneVectors<Real>* reference, const LaneVectors<Real>* x,
+                         LaneVectors<Real>* sums, LaneVectors<Real>* work) {
+  run_on_lanes<Real>([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes<Real>; l += kCount<W>) {
       gradient_of<W>(kind, laws, reference, x, l, sums, work);
     }
   });
 }
+template void gradient_of_patches(const CrossKind&, const RowLaw<double>*,
+                                  const LaneVectors<double>*, const LaneVectors<double>*,
+                                  LaneVectors<double>*, LaneVectors<double>*);
+template void gradient_of_patches(const CrossKind&, const RowLaw<float>*, const LaneVectors<float>*,
+                                  const LaneVectors<float>*, LaneVectors<float>*,
+                                  LaneVectors<float>*);
 
-void diagonal_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
-                         LaneBlock* sums, LaneVectors* work) {
-  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
-    for (std::size_t l = 0; l < kLanes; l += W::kCount) {
+void diagonal_of_patches(const CrossKind& kind, const RowLaw<double>* laws,
+                         const LaneVectors<double>* reference, LaneBlock* sums,
+                         LaneVectors<double>* work) {
+  run_on_lanes<double>([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes<double>; l += kCount<W>) {
       diagonal_of<W>(kind, laws, reference, l, sums, work);
     }
   });

@@ -1,4 +1,4 @@
-// What the similarity of directions does for eight patches of a kind at once: their derivatives,
+// What the similarity of directions does for several patches of a kind at once: their derivatives,
 // and the transposed sums.
 #pragma once
 
@@ -12,11 +12,13 @@ namespace surpass {
 /// The weight of a row times its count, from g.g of the reference's derivative g: numerator /
 /// (slope g.g + constant), but 0 where g.g is not above the threshold. All rows of a kind have
 /// thresholds, or none has.
+template <class Real>
 struct RowLaw {
-  double numerator = 0;
-  double slope = 0;
-  double constant = 1;
-  double threshold = -1;
+  Real numerator = 0;
+  Real slope = 0;
+  Real constant = 1;
+  Real threshold = -1;
+
   [[nodiscard]] bool is_bounded() const { return threshold >= 0; }
 };
 
@@ -63,25 +65,28 @@ struct CrossKind {
 // functions' own scale, as scaled_laws() makes them. `work` has work_size() places.
 
 /// squares, #rows: g.g.
-void squares_of_patches(const CrossKind& kind, const LaneVectors* reference, LaneNumbers* squares,
-                        LaneVectors* work);
+void squares_of_patches(const CrossKind& kind, const LaneVectors<double>* reference,
+                        LaneNumbers* squares, LaneVectors<double>* work);
 
 /// sums, #columns: the gradient at x of half the sum over rows of weight times |g x q|^2, q the
 /// derivative of x.
-void gradient_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
-                         const LaneVectors* x, LaneVectors* sums, LaneVectors* work);
+template <class Real>
+void gradient_of_patches(const CrossKind& kind, const RowLaw<Real>* laws,
+                         const LaneVectors<Real>* reference, const LaneVectors<Real>* x,
+                         LaneVectors<Real>* sums, LaneVectors<Real>* work);
 
 /// The upper triangle of a block of 3, row after row.
 struct LaneBlock {
-  alignas(kLaneAlignment) double of[6][kLanes];
+  alignas(kLaneAlignment) double of[6][kLanes<double>];
 };
 
 /// sums, #columns: the diagonal blocks of the same.
-void diagonal_of_patches(const CrossKind& kind, const RowLaw* laws, const LaneVectors* reference,
-                         LaneBlock* sums, LaneVectors* work);
+void diagonal_of_patches(const CrossKind& kind, const RowLaw<double>* laws,
+                         const LaneVectors<double>* reference, LaneBlock* sums,
+                         LaneVectors<double>* work);
 
 /// The same laws for derivatives divided by the kind's scales, as parts of the gradient.
-[[nodiscard]] std::vector<RowLaw> scaled_laws(const CrossKind& kind,
-                                              const std::vector<RowLaw>& laws);
+[[nodiscard]] std::vector<RowLaw<double>> scaled_laws(const CrossKind& kind,
+                                                      const std::vector<RowLaw<double>>& laws);
 
 }  // namespace surpass

@@ -182,8 +182,9 @@ CrossKind::CrossKind(const PatchKind& kind) : columns(kind.columns), of_column(k
 
 std::size_t CrossKind::fine_points() const { return star == 0 ? 0 : 1 + star_patch::kFine * star; }
 
-std::vector<RowLaw> scaled_laws(const CrossKind& kind, const std::vector<RowLaw>& laws) {
-  std::vector<RowLaw> scaled;
+std::vector<RowLaw<double>> scaled_laws(const CrossKind& kind,
+                                        const std::vector<RowLaw<double>>& laws) {
+  std::vector<RowLaw<double>> scaled;
   for (std::size_t r = 0; r < laws.size(); ++r) {
     const double square = kind.rows[r].scale * kind.rows[r].scale;
     scaled.push_back({laws[r].numerator * square * square, laws[r].slope * square, laws[r].constant,

@@ -24,7 +24,9 @@ struct Means {
   }
 };
 
-RowLaw law_of(RowWeights weights, const CrossKind::Row& row, const Means& means) {
+using Law = RowLaw<double>;
+
+Law law_of(RowWeights weights, const CrossKind::Row& row, const Means& means) {
   const double first = means.mean(0);
   switch (weights) {
     case RowWeights::none: break;
@@ -35,9 +37,20 @@ RowLaw law_of(RowWeights weights, const CrossKind::Row& row, const Means& means)
     }
     case RowWeights::regularised:
       if (!(first > 0)) return {};
-      return {row.count, 1, kRegular * first};
+      return {row.count / (kRegular * first), 1 / (kRegular * first), 1};
   }
   return {row.count};
+}
+
+// Whether what matters is how long derivatives are, and not each direction by itself. Third
+// derivatives of fine meshes are less than what single precision makes of the points.
+bool sees_lengths(RowWeights weights) {
+  return weights == RowWeights::none || weights == RowWeights::regularised;
+}
+
+RowLaw<float> in_single_precision(const Law& law) {
+  const auto round = [](double x) { return static_cast<float>(x); };
+  return {round(law.numerator), round(law.slope), round(law.constant), round(law.threshold)};
 }
 
 class CrossProducts final : public PatchEnergy {
@@ -45,8 +58,11 @@ class CrossProducts final : public PatchEnergy {
   CrossProducts(const PatchLayout& layout, std::span<const double> reference, RowWeights weights,
                 const Context& context);
 
-  double product(const Context& context, std::size_t width, std::span<const double> x,
-                 std::span<double> y) const override;
+  double product(const Context& context, std::size_t, Precision precision,
+                 std::span<const double> x, std::span<double> y) const override {
+    return precision == Precision::single && may_be_single_ ? product_in<float>(context, x, y)
+                                                            : product_in<double>(context, x, y);
+  }
   [[nodiscard]] std::size_t block_size() const override { return 6; }
   [[nodiscard]] std::vector<double> diagonal(const Context& context) const override;
   void for_blocks(std::size_t patch, std::span<const Index> columns,
@@ -54,17 +70,28 @@ class CrossProducts final : public PatchEnergy {
 
  private:
   [[nodiscard]] Means means(const Context& context) const;
+  template <class Real>
+  double product_in(const Context& context, std::span<const double> x, std::span<double> y) const;
+  template <class Real>
+  [[nodiscard]] const RowLaw<Real>* laws_in(Index kind) const {
+    if constexpr (kIsSingle<Real>)
+      return single_laws_[kind].data();
+    else
+      return scaled_laws_[kind].data();
+  }
   [[nodiscard]] const double* reference_of(const PatchLayout::Chunk& chunk) const {
     return local_reference_.data() + kPointStride * chunk.start;
   }
 
   const PatchLayout& layout_;
+  bool may_be_single_;
   std::span<const double> reference_;
   std::vector<double> local_reference_;  // of the points of all chunks, kPointStride apart
   std::vector<CrossKind> kinds_;
   // Of each kind.
-  std::vector<std::vector<RowLaw>> laws_;
-  std::vector<std::vector<RowLaw>> scaled_laws_;
+  std::vector<std::vector<Law>> laws_;
+  std::vector<std::vector<Law>> scaled_laws_;
+  std::vector<std::vector<RowLaw<float>>> single_laws_;  // the same, rounded
   std::size_t most_columns_ = 0;
   std::size_t most_rows_ = 0;
   std::size_t most_places_ = 0;
@@ -73,6 +100,7 @@ class CrossProducts final : public PatchEnergy {
 CrossProducts::CrossProducts(const PatchLayout& layout, std::span<const double> reference,
                              RowWeights weights, const Context& context)
     : layout_(layout),
+      may_be_single_(sees_lengths(weights)),
       reference_(reference),
       local_reference_(kPointStride * layout.point_count()) {
   layout.for_chunks(context, [&](const PatchLayout::Chunk& chunk, std::size_t) {
@@ -89,6 +117,8 @@ CrossProducts::CrossProducts(const PatchLayout& layout, std::span<const double> 
     auto& laws = laws_.emplace_back();
     for (const CrossKind::Row& row : kind.rows) laws.push_back(law_of(weights, row, found));
     scaled_laws_.push_back(scaled_laws(kind, laws));
+    auto& rounded = single_laws_.emplace_back();
+    for (const Law& law : scaled_laws_.back()) rounded.push_back(in_single_precision(law));
   }
 }
 
@@ -98,21 +128,22 @@ Means CrossProducts::means(const Context& context) const {
       [&](const PatchLayout::Chunk& chunk) {
         Means sums;
         const double* const reference = reference_of(chunk);
-        std::vector<LaneVectors> points(most_columns_);
+        std::vector<LaneVectors<double>> points(most_columns_);
         std::vector<LaneNumbers> squares(most_rows_);
-        std::vector<LaneVectors> places(most_places_);
-        layout_.for_groups(chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
-          const CrossKind& kind = kinds_[number];
-          gather_points(local, kind.columns, lanes, reference, points.data());
-          squares_of_patches(kind, points.data(), squares.data(), places.data());
-          for (std::size_t r = 0; r < kind.rows.size(); ++r) {
-            const CrossKind::Row& row = kind.rows[r];
-            double sum = 0;
-            for (std::size_t l = 0; l < lanes; ++l) sum += squares[r].value[l];
-            sums.squares[row.order] += row.count * row.scale * row.scale * sum;
-            sums.counts[row.order] += row.count * static_cast<double>(lanes);
-          }
-        });
+        std::vector<LaneVectors<double>> places(most_places_);
+        layout_.for_groups<kLanes<double>>(
+            chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
+              const CrossKind& kind = kinds_[number];
+              gather_points(local, kind.columns, lanes, reference, points.data());
+              squares_of_patches(kind, points.data(), squares.data(), places.data());
+              for (std::size_t r = 0; r < kind.rows.size(); ++r) {
+                const CrossKind::Row& row = kind.rows[r];
+                double sum = 0;
+                for (std::size_t l = 0; l < lanes; ++l) sum += squares[r].value[l];
+                sums.squares[row.order] += row.count * row.scale * row.scale * sum;
+                sums.counts[row.order] += row.count * static_cast<double>(lanes);
+              }
+            });
         return sums;
       },
       [](Means sum, const Means& part) {
@@ -124,50 +155,53 @@ Means CrossProducts::means(const Context& context) const {
       });
 }
 
-double CrossProducts::product(const Context& context, std::size_t, std::span<const double> x,
-                              std::span<double> y) const {
-  const auto work = [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
+template <class Real>
+double CrossProducts::product_in(const Context& context, std::span<const double> x,
+                                 std::span<double> y) const {
+  const auto work = [&](const PatchLayout::Chunk& chunk, std::span<Real> values) {
     const double* const reference = reference_of(chunk);
     const std::size_t size = kPointStride * chunk.points.size();
     const auto own = std::make_unique_for_overwrite<double[]>(size);
     chunk.copy_to(3, kPointStride, x, own.get());
-    std::vector<LaneVectors> at_reference(most_columns_);
-    std::vector<LaneVectors> at_x(most_columns_);
-    std::vector<LaneVectors> sums(most_columns_);
-    std::vector<LaneVectors> places(most_places_);
-    layout_.for_groups(chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
-      const CrossKind& kind = kinds_[number];
-      gather_points(local, kind.columns, lanes, reference, at_reference.data());
-      gather_points(local, kind.columns, lanes, own.get(), at_x.data());
-      gradient_of_patches(kind, scaled_laws_[number].data(), at_reference.data(), at_x.data(),
-                          sums.data(), places.data());
-      scatter_points(local, kind.columns, lanes, sums.data(), values.data());
-    });
-    return dot_of_points({own.get(), size}, values);
+    std::vector<LaneVectors<Real>> at_reference(most_columns_);
+    std::vector<LaneVectors<Real>> at_x(most_columns_);
+    std::vector<LaneVectors<Real>> sums(most_columns_);
+    std::vector<LaneVectors<Real>> places(most_places_);
+    layout_.for_groups<kLanes<Real>>(
+        chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
+          const CrossKind& kind = kinds_[number];
+          gather_points(local, kind.columns, lanes, reference, at_reference.data());
+          gather_points(local, kind.columns, lanes, own.get(), at_x.data());
+          gradient_of_patches(kind, laws_in<Real>(number), at_reference.data(), at_x.data(),
+                              sums.data(), places.data());
+          scatter_points(local, kind.columns, lanes, sums.data(), values.data());
+        });
+    return dot_of_points(std::span<const double>(own.get(), size), std::span<const Real>(values));
   };
-  return layout_.add_up(context, 3, kPointStride, y, work);
+  return layout_.add_up<Real>(context, 3, kPointStride, y, work);
 }
 
 std::vector<double> CrossProducts::diagonal(const Context& context) const {
   std::vector<double> sum(std::size_t{6} * layout_.control_count());
-  layout_.add_up(
+  layout_.add_up<double>(
       context, 6, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
         const double* const reference = reference_of(chunk);
-        std::vector<LaneVectors> points(most_columns_);
+        std::vector<LaneVectors<double>> points(most_columns_);
         std::vector<LaneBlock> sums(most_columns_);
-        std::vector<LaneVectors> places(most_places_);
-        layout_.for_groups(chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
-          const CrossKind& kind = kinds_[number];
-          gather_points(local, kind.columns, lanes, reference, points.data());
-          diagonal_of_patches(kind, scaled_laws_[number].data(), points.data(), sums.data(),
-                              places.data());
-          for (std::size_t l = 0; l < lanes; ++l) {
-            for (std::size_t c = 0; c < kind.columns; ++c) {
-              double* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
-              for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
-            }
-          }
-        });
+        std::vector<LaneVectors<double>> places(most_places_);
+        layout_.for_groups<kLanes<double>>(
+            chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
+              const CrossKind& kind = kinds_[number];
+              gather_points(local, kind.columns, lanes, reference, points.data());
+              diagonal_of_patches(kind, scaled_laws_[number].data(), points.data(), sums.data(),
+                                  places.data());
+              for (std::size_t l = 0; l < lanes; ++l) {
+                for (std::size_t c = 0; c < kind.columns; ++c) {
+                  double* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
+                  for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
+                }
+              }
+            });
         return 0;
       });
   return sum;
@@ -188,7 +222,7 @@ void CrossProducts::for_blocks(std::size_t patch, std::span<const Index> columns
       }
     }
     const double square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
-    const RowLaw& law = laws_[number][r];
+    const Law& law = laws_[number][r];
     if (!(square > law.threshold)) continue;
     const double w = law.numerator / (law.slope * square + law.constant);
     const std::array<double, 6> block = {w * (square - g[0] * g[0]), -w * g[0] * g[1],

@@ -5,6 +5,16 @@
 namespace surpass {
 namespace {
 
+// Where single precision is a hundred times as exact as the tolerance asks for, and time matters.
+Precision precision_for(const FreeSystem& system, const FreePreconditioner& preconditioner,
+                        double tolerance) {
+  constexpr double kLoose = 1e-4;
+  constexpr Index kMany = 65536;
+  const bool enough = tolerance >= kLoose && preconditioner.is_tame();
+  return enough && system.elimination.control_count() >= kMany ? Precision::single
+                                                               : Precision::full;
+}
+
 // Of a gradient: its squared length, and its product with the preconditioned one.
 struct Lengths {
   double squared = 0;
@@ -118,12 +128,13 @@ FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
   const FreePreconditioner preconditioner(system);
+  const Precision precision = precision_for(system, preconditioner, stop.tolerance);
   std::vector<double> direction(system.size());
   std::vector<double> image(system.size());
   double rho = descend(system, preconditioner, 0, image, gradient).rho;
   turn(system, preconditioner, 0, 0, gradient, direction, x);
   while (rho > 0 && progress.goes_on()) {
-    const double curvature = system.product(direction, image);
+    const double curvature = system.product(precision, direction, image);
     if (!(curvature > 0)) break;  // nothing is left but what the energy does not see
     const double length = rho / curvature;
     Lengths now = descend(system, preconditioner, length, image, gradient);

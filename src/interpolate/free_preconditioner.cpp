@@ -6,16 +6,22 @@ FreePreconditioner::FreePreconditioner(const FreeSystem& system)
     : width_(system.width),
       block_(system.energy.block_size()),
       inverse_(system.energy.diagonal(system.context)) {
-  parallel::for_ranges(system.context, system.elimination.control_count(),
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t j = begin; j < end; ++j) invert(&inverse_[j * block_]);
-                       });
+  const auto invert_range = [&](std::size_t begin, std::size_t end) {
+    bool tame = true;
+    for (std::size_t j = begin; j < end; ++j) {
+      const bool own = invert(&inverse_[j * block_]);
+      tame = tame && (own || !system.elimination.is_free(static_cast<Index>(j)));
+    }
+    return tame;
+  };
+  tame_ = parallel::reduce(system.context, system.elimination.control_count(), true, invert_range,
+                           [](bool all, bool part) { return all && part; });
 }
 
-void FreePreconditioner::invert(double* d) const {
+bool FreePreconditioner::invert(double* d) const {
   if (block_ == 1) {
     *d = *d > 0 ? 1 / *d : 1;
-    return;
+    return true;
   }
   // A symmetric block of 3; where it is singular or nearly so, its mean diagonal stands in.
   const double a = d[3] * d[5] - d[4] * d[4];
@@ -24,11 +30,12 @@ void FreePreconditioner::invert(double* d) const {
   const double determinant = d[0] * a + d[1] * b + d[2] * c;
   const double mean = (d[0] + d[3] + d[5]) / 3;
   constexpr double kFlat = 1e-9;
+  constexpr double kTame = 1e-3;
   if (!(determinant > kFlat * mean * mean * mean)) {
     const double inverse = mean > 0 ? 1 / mean : 1;
     d[0] = d[3] = d[5] = inverse;
     d[1] = d[2] = d[4] = 0;
-    return;
+    return !(mean > 0);
   }
   const double e = (d[0] * d[5] - d[2] * d[2]) / determinant;
   const double f = (d[1] * d[2] - d[0] * d[4]) / determinant;
@@ -39,6 +46,7 @@ void FreePreconditioner::invert(double* d) const {
   d[3] = e;
   d[4] = f;
   d[5] = g;
+  return determinant > kTame * mean * mean * mean;
 }
 
 }  // namespace surpass

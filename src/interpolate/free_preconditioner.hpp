@@ -22,6 +22,9 @@ class FreePreconditioner {
     z[2] = d[2] * r[0] + d[4] * r[1] + d[5] * r[2];
   }
 
+  /// Whether no free point moves in one direction far more easily than in others. If one does,
+  /// errors of its gradient come back as much larger ones.
+  [[nodiscard]] bool is_tame() const { return tame_; }
   /// 1, or 6: as PatchEnergy::block_size().
   [[nodiscard]] std::size_t block_size() const { return block_; }
   /// #control points by block_size(). The identity where the energy does not see the point: its
@@ -29,11 +32,13 @@ class FreePreconditioner {
   [[nodiscard]] const std::vector<double>& inverse() const { return inverse_; }
 
  private:
-  void invert(double* d) const;
+  // Whether the block is tame.
+  bool invert(double* d) const;
 
   std::size_t width_;
   std::size_t block_;
   std::vector<double> inverse_;
+  bool tame_;
 };
 
 }  // namespace surpass

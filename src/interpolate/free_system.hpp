@@ -26,9 +26,9 @@ struct FreeSystem {
   [[nodiscard]] std::size_t size() const { return elimination.control_count() * width; }
   /// y = the change of the gradient that goes with the change x, which is extended first. Back
   /// comes x.y.
-  double product(std::span<double> x, std::span<double> y) const {
+  double product(Precision precision, std::span<double> x, std::span<double> y) const {
     elimination.meet(context, width, {}, x);
-    const double curvature = energy.product(context, width, x, y);
+    const double curvature = energy.product(context, width, precision, x, y);
     elimination.restrict_gradient(context, width, y);
     return curvature;
   }

@@ -16,7 +16,8 @@
 namespace surpass {
 
 /// to = from, width numbers; three is what matters, and too few for a call.
-inline void copy_numbers(const double* from, std::size_t width, double* to) {
+template <class From, class To>
+void copy_numbers(const From* from, std::size_t width, To* to) {
   if (width == 3) {
     to[0] = from[0];
     to[1] = from[1];
@@ -64,15 +65,15 @@ class PatchLayout {
   /// The points of all chunks.
   [[nodiscard]] std::size_t point_count() const { return points_.size(); }
 
-  /// Calls body(kind's number, local, lanes) for groups of up to kLanes patches of one kind: patch
+  /// Calls body(kind's number, local, lanes) for groups of up to kMost patches of one kind: patch
   /// l of the group has its columns at local + l * columns of the kind.
-  template <class Body>
+  template <std::size_t kMost, class Body>
   void for_groups(const Chunk& chunk, Body&& body) const {
     const LocalIndex* local = chunk.local;
     for (std::size_t i = 0; i < chunk.patches.size();) {
       const Index kind = rows_.kind_number(chunk.patches[i]);
       std::size_t lanes = 1;
-      while (lanes < kLanes && i + lanes < chunk.patches.size() &&
+      while (lanes < kMost && i + lanes < chunk.patches.size() &&
              rows_.kind_number(chunk.patches[i + lanes]) == kind) {
         ++lanes;
       }
@@ -85,22 +86,22 @@ class PatchLayout {
   /// y = the sum of what the chunks add up: work(chunk, values) finds `stride` zeros for each of
   /// the chunk's points, and adds to the first `width` of them. y: #control points by width. Back
   /// comes the sum of the numbers that work returns.
-  template <class Work>
+  template <class Real, class Work>
   double add_up(const Context& context, std::size_t width, std::size_t stride, std::span<double> y,
                 Work&& work) const {
-    const auto shared = std::make_unique_for_overwrite<double[]>(places_.size() * width);
+    const auto shared = std::make_unique_for_overwrite<Real[]>(places_.size() * width);
     std::vector<double> parts(chunks_.size() - 1);
     for_chunks(context, [&](const Chunk& chunk, std::size_t number) {
-      std::vector<double> values(chunk.points.size() * stride, 0.0);
+      std::vector<Real> values(chunk.points.size() * stride, Real{0});
       parts[number] = work(chunk, std::span(values));
-      const double* from = values.data();
+      const Real* from = values.data();
       for (std::size_t k = 0; k < chunk.own; ++k, from += stride) {
         if (k + kAhead < chunk.own) {
           __builtin_prefetch(y.data() + chunk.points[k + kAhead] * width, 1);
         }
         copy_numbers(from, width, y.data() + chunk.points[k] * width);
       }
-      double* to = shared.get() + shared_[number] * width;
+      Real* to = shared.get() + shared_[number] * width;
       for (std::size_t k = chunk.own; k < chunk.points.size(); ++k, from += stride, to += width) {
         copy_numbers(from, width, to);
       }
@@ -161,8 +162,8 @@ class PatchLayout {
 
  private:
   // The sums of the points of several chunks, from `begin` to `end`; kWidth is 0 for any width.
-  template <std::size_t kWidth>
-  void add_shared(const double* shared, std::size_t any_width, double* y, std::size_t begin,
+  template <std::size_t kWidth, class Real>
+  void add_shared(const Real* shared, std::size_t any_width, double* y, std::size_t begin,
                   std::size_t end) const {
     const std::size_t width = kWidth == 0 ? any_width : kWidth;
     const Index last = occurs_[end];
@@ -173,7 +174,7 @@ class PatchLayout {
       for (std::size_t c = 0; c < width; ++c) sum[c] = 0;
       for (Index k = occurs_[i]; k < occurs_[i + 1]; ++k) {
         if (last - k > kAhead) __builtin_prefetch(shared + places_[k + kAhead] * width);
-        const double* from = shared + places_[k] * width;
+        const Real* from = shared + places_[k] * width;
         for (std::size_t c = 0; c < width; ++c) sum[c] += from[c];
       }
       for (std::size_t c = 0; c < kWidth; ++c) to[c] = sum[c];

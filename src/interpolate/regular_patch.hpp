@@ -185,7 +185,7 @@ template <class V, class Fine, class T>
 }
 template <class V, class T>
 [[gnu::always_inline]] inline void collect_third_before(const T& row, T* f) {
-  constexpr double kThird[4] = {-1, 3, -3, 1};
+  constexpr typename NumberOf<T>::Type kThird[4] = {-1, 3, -3, 1};
   for (int i = 0; i < 4; ++i) {
     const T t = kThird[i] * row;
     f[V::at(i, 1)] += t;

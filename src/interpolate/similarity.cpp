@@ -121,7 +121,7 @@ std::vector<double> gradient_at(const SimilarityPrepared& prepared, const FreeSy
     if (largest <= kRounding) return {};
   }
   std::vector<double> gradient(x.size());
-  system.energy.product(system.context, system.width, difference, gradient);
+  system.energy.product(system.context, system.width, Precision::full, difference, gradient);
   system.elimination.restrict_gradient(system.context, system.width, gradient);
   return gradient;
 }

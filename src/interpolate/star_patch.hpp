@@ -64,7 +64,7 @@ template <class T, class Points, class Fine>
     spokes += p(at);
     sums += inner[k];
   }
-  const auto count = static_cast<double>(n);
+  const auto count = static_cast<typename NumberOf<T>::Type>(n);
   fine(0) = 64 * (count - 2) / count * centre + 64 / (count * count) * spokes +
             16 / (count * count) * sums;
   for (std::size_t k = 0; k < n; ++k) {
@@ -101,7 +101,7 @@ template <class T, class Points, class Fine>
 template <class T, class Fine, class Points>
 [[gnu::always_inline]] inline void collect(Faces faces, Fine&& fine, Points&& p) {
   const std::size_t n = faces.count;
-  const auto count = static_cast<double>(n);
+  const auto count = static_cast<typename NumberOf<T>::Type>(n);
   const T centre = fine(0);
   const T of_spokes = 64 / (count * count) * centre;
   const T of_sums = 16 / (count * count) * centre;

@@ -39,7 +39,7 @@ class SumOfSquares final : public PatchEnergy {
     }
   }
 
-  double product(const Context& context, std::size_t width, std::span<const double> x,
+  double product(const Context& context, std::size_t width, Precision, std::span<const double> x,
                  std::span<double> y) const override;
   [[nodiscard]] std::size_t block_size() const override { return 1; }
   [[nodiscard]] std::vector<double> diagonal(const Context& context) const override;
@@ -91,8 +91,8 @@ void apply_rows(const Matrix& rows, const Group& at) {
 // kRows rows at once, so that a sum need not wait for the one before.
 template <class W, std::size_t kRows>
 [[gnu::always_inline]] inline void times_rows(const double* rows, std::size_t n,
-                                              const LaneVectors* points, std::size_t first,
-                                              LaneVectors* sums) {
+                                              const LaneVectors<double>* points, std::size_t first,
+                                              LaneVectors<double>* sums) {
   using Numbers = typename W::Numbers;
   Numbers sum[kRows][3] = {};
   for (std::size_t b = 0; b < n; ++b) {
@@ -110,8 +110,8 @@ template <class W, std::size_t kRows>
 
 template <class W>
 [[gnu::always_inline]] inline void times_lanes(const double* matrix, std::size_t n,
-                                               const LaneVectors* points, std::size_t first,
-                                               LaneVectors* sums) {
+                                               const LaneVectors<double>* points, std::size_t first,
+                                               LaneVectors<double>* sums) {
   constexpr std::size_t kAtOnce = 4;
   std::size_t a = 0;
   for (; a + kAtOnce <= n; a += kAtOnce) {
@@ -121,16 +121,17 @@ template <class W>
 }
 
 void times_abreast(const double* matrix, std::size_t n, std::size_t lanes,
-                   const LaneVectors* points, LaneVectors* sums) {
-  run_on_lanes([&]<class W>(W) __attribute__((always_inline)) {
-    for (std::size_t l = 0; l < lanes; l += W::kCount) {
+                   const LaneVectors<double>* points, LaneVectors<double>* sums) {
+  run_on_lanes<double>([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < lanes; l += kCount<W>) {
       times_lanes<W>(matrix, n, points, l, sums);
     }
   });
 }
 
 void apply_matrix_abreast(const Matrix& matrix, std::size_t lanes, const Group& at,
-                          std::vector<LaneVectors>& points, std::vector<LaneVectors>& sums) {
+                          std::vector<LaneVectors<double>>& points,
+                          std::vector<LaneVectors<double>>& sums) {
   const auto n = static_cast<std::size_t>(matrix.cols());
   if (points.size() < n) {
     points.resize(n);
@@ -141,17 +142,18 @@ void apply_matrix_abreast(const Matrix& matrix, std::size_t lanes, const Group& 
   scatter_points(at.local, n, lanes, sums.data(), at.y);
 }
 
-double SumOfSquares::product(const Context& context, std::size_t width, std::span<const double> x,
-                             std::span<double> y) const {
+double SumOfSquares::product(const Context& context, std::size_t width, Precision,
+                             std::span<const double> x, std::span<double> y) const {
   const bool abreast = width == 3;
   const std::size_t stride = abreast ? kPointStride : width;
   const auto work = [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
     const std::size_t size = stride * chunk.points.size();
     const auto own = std::make_unique_for_overwrite<double[]>(size);
     chunk.copy_to(width, stride, x, own.get());
-    std::vector<LaneVectors> points;
-    std::vector<LaneVectors> sums;
-    layout_.for_groups(chunk, [&](Index kind, const LocalIndex* local, std::size_t lanes) {
+    std::vector<LaneVectors<double>> points;
+    std::vector<LaneVectors<double>> sums;
+    layout_.for_groups<kLanes<double>>(chunk, [&](Index kind, const LocalIndex* local,
+                                                  std::size_t lanes) {
       const KindForm& f = forms_[kind];
       Group at{local, width, stride, own.get(), values.data()};
       if (f.matrix.size() != 0 && abreast) {
@@ -165,7 +167,7 @@ double SumOfSquares::product(const Context& context, std::size_t width, std::spa
     });
     return dot_of_points({own.get(), size}, values);
   };
-  return layout_.add_up(context, width, stride, y, work);
+  return layout_.add_up<double>(context, width, stride, y, work);
 }
 
 double diagonal_of(const KindForm& form, std::size_t column) {
@@ -182,16 +184,17 @@ std::vector<double> SumOfSquares::diagonal(const Context& context) const {
     }
   }
   std::vector<double> sum(layout_.control_count());
-  layout_.add_up(
-      context, 1, 1, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
-        layout_.for_groups(chunk, [&](Index kind, const LocalIndex* local, std::size_t lanes) {
-          const std::vector<double>& diagonal = diagonals[kind];
-          for (std::size_t k = 0; k < lanes * diagonal.size(); ++k) {
-            values[local[k]] += diagonal[k % diagonal.size()];
-          }
-        });
-        return 0;
-      });
+  layout_.add_up<double>(context, 1, 1, sum,
+                         [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
+                           layout_.for_groups<kLanes<double>>(
+                               chunk, [&](Index kind, const LocalIndex* local, std::size_t lanes) {
+                                 const std::vector<double>& diagonal = diagonals[kind];
+                                 for (std::size_t k = 0; k < lanes * diagonal.size(); ++k) {
+                                   values[local[k]] += diagonal[k % diagonal.size()];
+                                 }
+                               });
+                           return 0;
+                         });
   return sum;
 }
 

@@ -93,42 +93,72 @@ std::vector<Vector3> plain_gradient(const PatchKind& kind, const std::vector<Vec
   return sums;
 }
 
-void expect_plain_sums(const PatchKind& kind) {
-  const CrossKind cross_kind(kind);
-  const std::vector<RowLaw> laws(cross_kind.rows.size(), {1, 1, 0.3});
-  std::vector<RowLaw> counted = laws;
-  for (std::size_t r = 0; r < laws.size(); ++r) counted[r].numerator = cross_kind.rows[r].count;
-  std::mt19937_64 random(7);
+// Eight patches' points at random, a chance of their own for each, and what lanes hold of them.
+struct Patches {
+  std::vector<std::vector<Vector3>> points;
+  std::vector<LaneVectors<double>> lanes;
+};
+Patches random_patches(std::size_t columns, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<std::vector<Vector3>> reference(kLanes, std::vector<Vector3>(kind.columns));
-  std::vector<std::vector<Vector3>> x = reference;
-  std::vector<LaneVectors> reference_lanes(kind.columns);
-  std::vector<LaneVectors> x_lanes(kind.columns);
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    for (std::size_t c = 0; c < kind.columns; ++c) {
-      for (Vector3* v : {&reference[l][c], &x[l][c]}) *v = {uniform(random), uniform(random), 0.5};
-      reference_lanes[c].set(l, reference[l][c].data());
-      x_lanes[c].set(l, x[l][c].data());
+  Patches patches{{kLanes<double>, std::vector<Vector3>(columns)},
+                  std::vector<LaneVectors<double>>(columns)};
+  for (std::size_t l = 0; l < kLanes<double>; ++l) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      patches.points[l][c] = {uniform(random), uniform(random), 0.5};
+      for (std::size_t k = 0; k < 3; ++k) patches.lanes[c].of[k][l] = patches.points[l][c][k];
     }
   }
-  std::vector<LaneVectors> sums(kind.columns);
-  std::vector<LaneVectors> work(cross_kind.work_size());
-  gradient_of_patches(cross_kind, scaled_laws(cross_kind, counted).data(), reference_lanes.data(),
-                      x_lanes.data(), sums.data(), work.data());
+  return patches;
+}
+
+// The same in the first lanes of registers in single precision.
+std::vector<LaneVectors<float>> rounded(const std::vector<LaneVectors<double>>& lanes) {
+  std::vector<LaneVectors<float>> single(lanes.size());
+  for (std::size_t c = 0; c < lanes.size(); ++c) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::copy_n(lanes[c].of[k], kLanes<double>, single[c].of[k]);
+    }
+  }
+  return single;
+}
+
+void expect_plain_sums(const PatchKind& kind) {
+  const CrossKind cross_kind(kind);
+  std::vector<RowLaw<double>> laws;
+  for (const CrossKind::Row& row : cross_kind.rows) laws.push_back({row.count, 1, 0.3});
+  laws = scaled_laws(cross_kind, laws);
+  std::mt19937_64 random(7);
+  const Patches reference = random_patches(kind.columns, random);
+  const Patches x = random_patches(kind.columns, random);
+  std::vector<LaneVectors<double>> sums(kind.columns);
+  std::vector<LaneVectors<double>> work(cross_kind.work_size());
+  gradient_of_patches(cross_kind, laws.data(), reference.lanes.data(), x.lanes.data(), sums.data(),
+                      work.data());
+  std::vector<RowLaw<float>> single_laws;
+  for (const RowLaw<double>& law : laws) {
+    single_laws.push_back({static_cast<float>(law.numerator), static_cast<float>(law.slope),
+                           static_cast<float>(law.constant)});
+  }
+  std::vector<LaneVectors<float>> single_sums(kind.columns);
+  std::vector<LaneVectors<float>> single_work(cross_kind.work_size());
+  gradient_of_patches(cross_kind, single_laws.data(), rounded(reference.lanes).data(),
+                      rounded(x.lanes).data(), single_sums.data(), single_work.data());
   std::vector<LaneBlock> blocks(kind.columns);
-  diagonal_of_patches(cross_kind, scaled_laws(cross_kind, counted).data(), reference_lanes.data(),
-                      blocks.data(), work.data());
+  diagonal_of_patches(cross_kind, laws.data(), reference.lanes.data(), blocks.data(), work.data());
   std::vector<LaneNumbers> squares(cross_kind.rows.size());
-  squares_of_patches(cross_kind, reference_lanes.data(), squares.data(), work.data());
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    const auto expected = plain_gradient(kind, reference[l], x[l]);
+  squares_of_patches(cross_kind, reference.lanes.data(), squares.data(), work.data());
+  for (std::size_t l = 0; l < kLanes<double>; ++l) {
+    const auto expected = plain_gradient(kind, reference.points[l], x.points[l]);
     for (std::size_t c = 0; c < kind.columns; ++c) {
-      for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(sums[c].of[k][l], expected[c][k], 1e-11);
+      for (std::size_t k = 0; k < 3; ++k) {
+        ASSERT_NEAR(sums[c].of[k][l], expected[c][k], 1e-11);
+        ASSERT_NEAR(single_sums[c].of[k][l], expected[c][k], 1e-3);
+      }
       // The block is the gradient at unit vectors of this point, of its own numbers.
       for (std::size_t k = 0; k < 3; ++k) {
         std::vector<Vector3> unit(kind.columns, Vector3{});
         unit[c][k] = 1;
-        const Vector3 column = plain_gradient(kind, reference[l], unit)[c];
+        const Vector3 column = plain_gradient(kind, reference.points[l], unit)[c];
         constexpr std::size_t kUpper[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
         for (std::size_t i = 0; i < 3; ++i) {
           ASSERT_NEAR(blocks[c].of[kUpper[i][k]][l], column[i], 1e-11);
@@ -142,7 +172,7 @@ void expect_plain_sums(const PatchKind& kind) {
       sum += row.count * row.scale * row.scale * squares[r].value[l];
     }
     for (std::size_t r = 0; r < kind.row_count(); ++r) {
-      const Vector3 g = derivative(kind, r, reference[l]);
+      const Vector3 g = derivative(kind, r, reference.points[l]);
       if (kind.derivative[r] != Derivative::mixed) plain += kind.count[r] * dot(g, g);
     }
     ASSERT_NEAR(sum, plain, 1e-11 * plain);
@@ -218,31 +248,41 @@ TEST(JoinedPatches, HaveTheSameSums) {
   }
 }
 
-TEST(LanePoints, GoThereAndBack) {
+// In single precision from the first point of each lane; there and back again without that.
+template <class Real>
+void expect_there_and_back() {
   constexpr std::size_t kColumns = 3;
+  constexpr bool kRelative = std::is_same_v<Real, float>;
   std::vector<LocalIndex> local;
-  for (unsigned k = 0; k < kLanes * kColumns; ++k) {
+  for (unsigned k = 0; k < kLanes<Real> * kColumns; ++k) {
     local.push_back(static_cast<LocalIndex>((5 * k) % 11));
   }
   std::vector<double> x;
   for (int k = 0; k < 11 * 4; ++k) x.push_back(k % 4 == 3 ? 0 : k + 0.25);
-  for (std::size_t lanes = 1; lanes <= kLanes; ++lanes) {
-    std::vector<LaneVectors> points(kColumns);
+  for (std::size_t lanes = 1; lanes <= kLanes<Real>; ++lanes) {
+    std::vector<LaneVectors<Real>> points(kColumns);
     gather_points(local.data(), kColumns, lanes, x.data(), points.data());
-    std::vector<double> y(x.size());
-    std::vector<double> expected(x.size());
+    std::vector<Real> y(x.size());
+    std::vector<Real> expected(x.size());
     scatter_points(local.data(), kColumns, lanes, points.data(), y.data());
-    for (std::size_t l = 0; l < kLanes; ++l) {
+    for (std::size_t l = 0; l < kLanes<Real>; ++l) {
+      const std::size_t first = kPointStride * local[l * kColumns];
       for (std::size_t c = 0; c < kColumns; ++c) {
         const std::size_t at = kPointStride * local[l * kColumns + c];
         for (std::size_t k = 0; k < 3; ++k) {
-          EXPECT_EQ(points[c].of[k][l], l < lanes ? x[at + k] : 0);
-          if (l < lanes) expected[at + k] += x[at + k];
+          const auto wanted = static_cast<Real>(x[at + k] - (kRelative ? x[first + k] : 0));
+          EXPECT_EQ(points[c].of[k][l], l < lanes ? wanted : 0);
+          if (l < lanes) expected[at + k] += wanted;
         }
       }
     }
     EXPECT_EQ(y, expected) << lanes;
   }
+}
+
+TEST(LanePoints, GoThereAndBack) {
+  expect_there_and_back<double>();
+  expect_there_and_back<float>();
 }
 
 }  // namespace

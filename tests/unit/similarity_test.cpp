@@ -222,6 +222,48 @@ TEST(Similarity, LosesNothingFarFromTheOrigin) {
   }
 }
 
+// A grid whose faces become ten thousand times smaller from one side to the other, or longer than
+// wide as well.
+Mesh graded(Mesh grid, Index side, bool slim) {
+  constexpr double kTurns = 9.2;
+  for (Point& p : grid.points) {
+    for (double& x : p) x /= side;
+    const double angle = kTurns * p[1];
+    const double size = std::exp(-kTurns * p[0]);
+    p = slim ? Point{p[0] * p[0] * p[0], p[1] * p[1] * p[1], p[2]}
+             : Point{size * std::cos(angle), size * std::sin(angle), size * p[2]};
+  }
+  return grid;
+}
+
+// On large meshes loose tolerances are reached in single precision, by the steps of double
+// precision; with faces that are far longer than wide in double precision.
+TEST(Similarity, SinglePrecisionTakesTheSameSteps) {
+  constexpr Index kSide = 130;
+  const Mesh grid = test::jittered(test::quad_grid(kSide, kSide));
+  SimilarityOptions options;
+  options.similarity = Similarity::directions;
+  options.max_iterations = 5;
+  for (const RowWeights weights : {RowWeights::none, RowWeights::regularised}) {
+    options.row_weights = weights;
+    const auto distance = [&](const Mesh& mesh) {
+      options.solver_tolerance = 1e-4;
+      const auto single = interpolate_similar(mesh, options).value();
+      options.solver_tolerance = 0.99e-4;
+      const auto full = interpolate_similar(mesh, options).value();
+      EXPECT_EQ(single.report.residuals.size(), full.report.residuals.size());
+      EXPECT_NEAR(single.report.residual / full.report.residual, 1, 1e-5);
+      const double side = bounding_box(mesh.points).side();
+      return test::max_distance(single.control.points, full.control.points) / side;
+    };
+    for (const Mesh& mesh : {grid, graded(grid, kSide, false)}) {
+      EXPECT_LT(distance(mesh), 1e-6) << name_of(weights);
+      EXPECT_GT(distance(mesh), 0) << "they did differ in what they computed with";
+    }
+    EXPECT_EQ(distance(graded(grid, kSide, true)), 0);
+  }
+}
+
 TEST(Similarity, EmptyMeshesAndIsolatedVerticesAreTheirOwn) {
   EXPECT_TRUE(interpolate_similar(Mesh()));
   Mesh mesh = test::cube();
