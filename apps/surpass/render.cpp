@@ -57,6 +57,7 @@ class Render : public Command {
   std::string output_path_;
   std::vector<std::string> beside_paths_;
   std::string against_path_;
+  std::vector<std::string> frame_paths_;
   std::string points_path_;
   Option points_;
   int levels_ = 0;
@@ -165,6 +166,12 @@ void Render::define_picture(Options& options) {
                 "Draw these meshes, as facets with edges, or points, to the left in the same view")
            .comma_separated()
            .type_name("FILE,..."));
+  view(options
+           .add("--frame", frame_paths_,
+                "Fit these into the view, in the place of what is drawn: pictures with the same "
+                "--frame, --size, --camera and --up show it from the same place")
+           .comma_separated()
+           .type_name("FILE,..."));
 }
 
 Result<void> Render::check() const {
@@ -202,6 +209,7 @@ Result<void> Render::run(Session& session) {
   std::vector<std::string> inputs = paths_;
   for (const std::string& path : nonstationary_.inputs()) inputs.push_back(path);
   inputs.insert(inputs.end(), beside_paths_.begin(), beside_paths_.end());
+  inputs.insert(inputs.end(), frame_paths_.begin(), frame_paths_.end());
   for (const std::string& path : {points_path_, against_path_}) {
     if (!path.empty()) inputs.push_back(path);
   }
@@ -236,6 +244,12 @@ Result<PictureContent> Render::load(Session& session) const {
     auto loaded = load_mesh(against_path_, Format::automatic, session);
     if (!loaded) return tl::make_unexpected(loaded.error());
     scene.against = std::move(loaded->mesh);
+  }
+  for (const std::string& path : frame_paths_) {
+    const auto loaded = load_points(path, Format::automatic, session);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    const std::vector<Point>& points = loaded->mesh.points;
+    scene.frame.insert(scene.frame.end(), points.begin(), points.end());
   }
   auto found = marks(scene, session);
   if (!found) return tl::make_unexpected(found.error());

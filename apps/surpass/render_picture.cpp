@@ -75,6 +75,8 @@ class Drawing {
           Session& session)
       : scene_(scene), wishes_(wishes), options_(std::move(options)), session_(session) {
     options_.points = scene.marks;
+    options_.frame = scene.frame;
+    if (!scene.frame.empty()) return;
     const bool several = !scene.left.empty() || scene.surfaces.size() > 1;
     for (const Mesh& mesh : scene.left) add_to_frame(mesh.points);
     for (const DrawnSurface& s : scene.surfaces) {

@@ -24,6 +24,7 @@ struct PictureContent {
   std::vector<Mesh> left;  ///< as facets with their edges, before all others
   std::optional<Mesh> against;
   std::vector<Point> marks;
+  std::vector<Point> frame;  ///< what is fitted into the view; empty: what is drawn
 };
 
 /// The bytes of a PNG file: what is to the left, then every surface in every style, in rows. The

@@ -54,6 +54,19 @@ TEST_F(RenderCommand, StylesOfSeveralMeshesMakeOnePicture) {
   EXPECT_EQ(found["inputs"][1]["scheme"], "loop");
 }
 
+TEST_F(RenderCommand, AFrameIsOneViewForSeveralPictures) {
+  const auto bytes_of = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--size", "96x64"});
+    report_of(words);
+    return slurp(folder_ / "x.png");
+  };
+  const std::string framed = bytes_of({kOctahedron, "--frame", kTorus});
+  EXPECT_NE(framed, bytes_of({kOctahedron}));
+  EXPECT_EQ(framed, bytes_of({kOctahedron, "--frame", kTorus + "," + kTorus}));
+  EXPECT_EQ(bytes_of({kTorus, "--frame", kTorus}), bytes_of({kTorus}));
+  report_of({kTorus, "--frame", folder_ / "none.obj"}, 2);
+}
+
 TEST_F(RenderCommand, TheScaleOfErrorsReachesTheLargest) {
   const auto given = read_mesh(kOctahedron);
   ASSERT_TRUE(given);
