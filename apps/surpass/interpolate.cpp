@@ -147,14 +147,12 @@ Result<void> Interpolate::run(Session& session) {
   inputs.insert(inputs.begin(), input_.path());
   for (const std::string& path : nonstationary_.inputs()) inputs.push_back(path);
   if (!only_path_.empty()) inputs.push_back(only_path_);
-  std::vector<std::string> surfaces;
-  if (surface_.wanted()) surfaces.push_back(surface_.path());
-  const auto prepared = output_.prepare(session, inputs, surfaces);
+  std::vector<std::string> outputs = similar_.outputs();
+  if (surface_.wanted()) outputs.push_back(surface_.path());
+  const auto prepared = output_.prepare(session, inputs, outputs);
   if (!prepared) return prepared;
-  if (const auto ready = page_.prepare(session, inputs, {output_.path(), surface_.path()});
-      !ready) {
-    return ready;
-  }
+  outputs.push_back(output_.path());
+  if (const auto ready = page_.prepare(session, inputs, outputs); !ready) return ready;
 
   Result<LoadedMesh> loaded = input_.load(session);
   if (!loaded) return tl::make_unexpected(loaded.error());
@@ -442,7 +440,8 @@ Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   const auto surface = surface_.make(control, options_.rules, session);
   if (!surface) return tl::make_unexpected(surface.error());
   if (const auto written = output_.write(control, session); !written) return written;
-  return surface_.write(*surface, output_, session);
+  if (const auto written = surface_.write(*surface, output_, session); !written) return written;
+  return similar_.write_reference(output_, session);
 }
 
 Result<void> Interpolate::write_page(Mesh given, std::vector<Point> points, const Mesh& control,

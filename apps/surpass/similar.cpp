@@ -8,6 +8,7 @@
 
 #include "mesh_input.hpp"
 #include "requirements_file.hpp"
+#include "rules_option.hpp"
 
 namespace surpass::cli {
 
@@ -111,6 +112,12 @@ void Similar::define(Options& options) {
                    "start there")
               .type_name("MESH"));
   grouped(options
+              .add("--write-reference", reference_output_,
+                   "Also write the reference, refined and stretched: a control mesh with the faces "
+                   "of the output, whose surface the interpolating one resembles or, under the "
+                   "method fair, starts from")
+              .type_name("FILE"));
+  grouped(options
               .add("--requirements", requirements_path_,
                    "Normals, derivatives and points that the surface shall have, given vertices to "
                    "move or to let go: JSON, as docs/requirements.schema.json says")
@@ -157,6 +164,11 @@ std::vector<std::string> Similar::inputs() const {
   return paths;
 }
 
+std::vector<std::string> Similar::outputs() const {
+  if (reference_output_.empty()) return {};
+  return {reference_output_};
+}
+
 Result<void> Similar::check(Method method) const {
   struct Rule {
     const char* name;
@@ -170,6 +182,7 @@ Result<void> Similar::check(Method method) const {
       Rule{"--scaling", scaling_.has_value(), true, true},
       Rule{"--open", open_.has_value(), true, true},
       Rule{"--reference", !reference_path_.empty(), true, true},
+      Rule{"--write-reference", !reference_output_.empty(), true, true},
       Rule{"--requirements", !requirements_path_.empty(), true, true},
       Rule{"--normals", !normals_path_.empty(), true, true},
       Rule{"--samples", samples_.given(), true, true},
@@ -214,6 +227,22 @@ Result<void> Similar::load_reference(const Mesh& given, Session& session) {
   }
   reference_ = std::move(loaded->mesh.points);
   return {};
+}
+
+Result<void> Similar::make_reference(const Mesh& given, Session& session) {
+  if (reference_output_.empty()) return {};
+  auto points = session.timed("reference", [&] {
+    return solver_->reference(given.points, reference_, requirements_, session.context);
+  });
+  if (!points) return tl::make_unexpected(points.error());
+  resembled_ = solver_->refined();
+  resembled_->points = std::move(*points);
+  record(options_.rules, *resembled_);
+  return {};
+}
+
+Result<void> Similar::write_reference(const MeshOutput& output, Session& session) const {
+  return resembled_ ? output.write(*resembled_, reference_output_, session) : Result<void>();
 }
 
 Result<std::vector<Point>> Similar::load_normals(const Mesh& given, Session& session) const {
@@ -277,7 +306,8 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common, c
       "topology", [&] { return SimilarityInterpolator::create(given, options_, session.context); });
   if (!solver) return tl::make_unexpected(solver.error());
   solver_ = std::move(*solver);
-  return load_reference(given, session);
+  if (auto loaded = load_reference(given, session); !loaded) return loaded;
+  return make_reference(given, session);
 }
 
 Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) const {

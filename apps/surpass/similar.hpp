@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh_output.hpp"
 #include "options.hpp"
 #include "session.hpp"
 
@@ -23,6 +24,9 @@ class Similar {
 
   /// The files that are read besides the given mesh.
   [[nodiscard]] std::vector<std::string> inputs() const;
+
+  /// The file for the reference; nothing if it is not asked for.
+  [[nodiscard]] std::vector<std::string> outputs() const;
 
   /// Fails if an option was given that says something of another method only. For
   /// Method::progressive that is any option of these.
@@ -41,6 +45,9 @@ class Similar {
   [[nodiscard]] Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given,
                                           Session& session) const;
 
+  /// Writes the reference, if it is asked for.
+  [[nodiscard]] Result<void> write_reference(const MeshOutput& output, Session& session) const;
+
   [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,
                                                            const Context& context) const {
     return solver_->limit_positions(control, context);
@@ -48,6 +55,7 @@ class Similar {
 
  private:
   [[nodiscard]] Result<void> load_reference(const Mesh& given, Session& session);
+  [[nodiscard]] Result<void> make_reference(const Mesh& given, Session& session);
   [[nodiscard]] Result<void> load_requirements(const Mesh& given, Session& session);
   [[nodiscard]] Result<std::vector<Point>> load_normals(const Mesh& given, Session& session) const;
 
@@ -57,10 +65,12 @@ class Similar {
   std::optional<OpenMeshes> open_;
   SimilarityOptions options_;
   std::string reference_path_;
+  std::string reference_output_;
   std::string requirements_path_;
   std::string normals_path_;
   std::vector<Requirement> requirements_;
-  std::vector<Point> reference_;
+  std::vector<Point> reference_;   ///< of one's own, as read
+  std::optional<Mesh> resembled_;  ///< refined and stretched, where it is to be written
   std::optional<SimilarityInterpolator> solver_;
   Option thin_plate_;
   Option membrane_;

@@ -178,6 +178,17 @@ class SimilarityInterpolator {
                                                           std::span<const Channel> channels = {},
                                                           const Context& context = {}) const;
 
+  /// What the surface is made to resemble, as a control mesh: points for the topology of
+  /// `refined()`, stretched as the options say. With the same arguments, `solve`, `solve_like` and
+  /// `solve_required` measure by it, start from it, and after no iterations leave all but the given
+  /// vertices, and what requirements move, there. `own` as solve_like's reference; empty: the given
+  /// points. Errors: those of solve_like, and of solve_required for requirements that say nothing
+  /// possible.
+  [[nodiscard]] Result<std::vector<Point>> reference(std::span<const Point> points,
+                                                     std::span<const Point> own = {},
+                                                     std::span<const Requirement> requirements = {},
+                                                     const Context& context = {}) const;
+
   /// Limit points of the given vertices (#V), from control points of the refined mesh: what a
   /// certificate needs. Error: wrong size.
   [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,

@@ -106,6 +106,15 @@ std::vector<double> refined_reference(const SimilarityPrepared& prepared, const 
   return refine_given(prepared, wanted.width, source, context);
 }
 
+// Fills in `reference` and `scale`, in units, as the given numbers are.
+void stretch_reference(const SimilarityPrepared& prepared, const Wanted& wanted, const Units& units,
+                       std::span<const double> given, const Context& context, Found& found) {
+  found.reference = refined_reference(prepared, wanted, context);
+  units.enter(context, found.reference);
+  found.scale = scale_reference(prepared, prepared.options.scaling, wanted.width, given, context,
+                                found.reference);
+}
+
 // The energy's derivative at x by the free points; empty where x is where the energy is least.
 std::vector<double> gradient_at(const SimilarityPrepared& prepared, const FreeSystem& system,
                                 std::span<const double> reference, std::span<const double> x) {
@@ -160,10 +169,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
   Found found;
   std::vector<double> given(wanted.given.begin(), wanted.given.end());
   units->enter(context, given);
-  found.reference = refined_reference(prepared, wanted, context);
-  units->enter(context, found.reference);
-  found.scale = scale_reference(prepared, prepared.options.scaling, wanted.width, given, context,
-                                found.reference);
+  stretch_reference(prepared, wanted, *units, given, context, found);
   found.values = found.reference;
   wanted.elimination.meet(context, wanted.width, given, found.values);
 
@@ -194,6 +200,18 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
     wanted.elimination.meet(context, wanted.width, wanted.given, found.values);
   }
   return found;
+}
+
+Result<std::vector<double>> reference_of(const SimilarityPrepared& prepared, const Wanted& wanted,
+                                         const Context& context) {
+  const auto units = units_of(wanted.given, wanted.width);
+  if (!units) return tl::make_unexpected(units.error());
+  Found found;
+  std::vector<double> given(wanted.given.begin(), wanted.given.end());
+  units->enter(context, given);
+  stretch_reference(prepared, wanted, *units, given, context, found);
+  units->leave(context, found.reference);
+  return std::move(found.reference);
 }
 
 Result<void> check_channel(const Channel& channel, std::size_t vertices) {
@@ -406,6 +424,21 @@ class OutcomeNotes {
   SimilarityReport& report_;
 };
 
+// Its points are not known yet.
+Mesh control_mesh(const SimilarityPrepared& prepared) {
+  Mesh control = prepared.refined;
+  control.points.resize(prepared.control_count());
+  return control;
+}
+
+Result<RequirementRows> equations_of(const SimilarityPrepared& prepared, const Mesh& control,
+                                     std::span<const Requirement> requirements,
+                                     std::span<const Point> points, const Context& context) {
+  Mesh given = prepared.given;
+  given.points.assign(points.begin(), points.end());
+  return requirement_rows(control, prepared.options.rules, given, requirements, context);
+}
+
 }  // namespace
 
 Result<SimilaritySolution> SimilarityInterpolator::solve_required(
@@ -422,11 +455,8 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
     return tl::make_unexpected(ok.error());
   }
   const Rules& rules = prepared.options.rules;
-  Mesh given = prepared.given;
-  given.points.assign(points.begin(), points.end());
-  Mesh control = prepared.refined;
-  control.points.resize(prepared.control_count());
-  auto equations = requirement_rows(control, rules, given, requirements, context);
+  Mesh control = control_mesh(prepared);
+  auto equations = equations_of(prepared, control, requirements, points, context);
   if (!equations) return tl::make_unexpected(equations.error());
   auto released = Elimination::build(prepared.elimination.limits(),
                                      static_cast<Index>(prepared.control_count()), context,
@@ -463,6 +493,24 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
     return tl::make_unexpected(ok.error());
   }
   return solution;
+}
+
+Result<std::vector<Point>> SimilarityInterpolator::reference(
+    std::span<const Point> points, std::span<const Point> own,
+    std::span<const Requirement> requirements, const Context& context) const {
+  const SimilarityPrepared& prepared = *impl_;
+  if (auto ok = check_input(prepared, own, points); !ok) return tl::make_unexpected(ok.error());
+  std::vector<Point> targets(points.begin(), points.end());
+  if (!requirements.empty()) {
+    auto equations = equations_of(prepared, control_mesh(prepared), requirements, points, context);
+    if (!equations) return tl::make_unexpected(equations.error());
+    targets = std::move(equations->targets);
+  }
+  const auto values = reference_of(
+      prepared, {flat(std::span<const Point>(targets)), flat(own), 3, true, prepared.elimination},
+      context);
+  if (!values) return tl::make_unexpected(values.error());
+  return points_of(*values);
 }
 
 Result<std::vector<Point>> SimilarityInterpolator::limit_positions(std::span<const Point> control,

@@ -148,6 +148,80 @@ TEST(Interpolate, AReferenceMayBeGivenOrRefined) {
   EXPECT_EQ(run({"--reference", folder / "none.ply"}, "d.ply"), 2);
 }
 
+// Stretched by 2, the cube's vertices are at 10/9, its edge points at 3/2 and its face points at 2;
+// the box of the limits of its vertices is the given one. It is the control mesh as well.
+TEST(Interpolate, TheReferenceIsWritten) {
+  const TempFolder folder;
+  const std::string given = data("cube.obj");
+  const std::string reference = folder / "r.obj";
+  const nlohmann::json report = report_of({"interpolate", given, "-o", folder / "c.ply", "--method",
+                                           "similarity", "--write-reference", reference});
+  ASSERT_EQ(report["outputs"].size(), 2U);
+  EXPECT_EQ(report["outputs"][1]["path"], reference);
+  EXPECT_EQ(report["outputs"][1]["format"], "obj");
+  EXPECT_NEAR(report["similarity"]["scale"][0].get<double>(), 2, 1e-14);
+  const Mesh mesh = mesh_of(reference);
+  const Mesh cube = mesh_of(given);
+  ASSERT_EQ(mesh.vertex_count(), 26U);
+  EXPECT_EQ(mesh.annotation("scheme"), "catmull-clark");
+  EXPECT_EQ(mesh.annotation("boundary"), "edge-and-corner");
+  EXPECT_EQ(mesh.annotation("refined"), "1");
+  const double half = bounding_box(cube.points).side() / 2;
+  for (Index v = 0; v < 26; ++v) {
+    double largest = 0;
+    for (const double x : mesh.points[v]) largest = std::max(largest, std::abs(x) / half);
+    EXPECT_NEAR(largest, v < 8 ? 10.0 / 9 : v < 20 ? 1.5 : 2, 1e-14) << v;
+  }
+  const Outcome checked = surpass({"check", reference, "--against", given, "--tolerance", "1e-12"});
+  EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+  EXPECT_EQ(surpass({"subdivide", reference, "-o", folder / "s.obj", "--levels", "2"}).status, 0);
+}
+
+// Where the vertices go besides is the interpolation's affair.
+TEST(Interpolate, WithoutIterationsFreeVerticesAreThoseOfTheReference) {
+  const TempFolder folder;
+  const std::string wishes =
+      folder.file("w.json", R"({"requirements": [{"vertex": 3, "position": [3, 0.5, 0.25]}]})");
+  for (const char* name : {"quad_torus.obj", "quad_patch.ply"}) {
+    const std::string given = data(name);
+    const Index n = mesh_of(given).vertex_count();
+    for (const Words& more : std::vector<Words>{{},
+                                                {"--scaling", "isotropic"},
+                                                {"--open", "dummy-ring"},
+                                                {"--requirements", wishes},
+                                                {"--reference", given}}) {
+      Words words = {"interpolate",      given,      "-o",
+                     folder / "c.ply",   "--method", "similarity",
+                     "--max-iterations", "0",        "--write-reference",
+                     folder / "r.ply"};
+      words.insert(words.end(), more.begin(), more.end());
+      const Outcome outcome = surpass(words);
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      const Mesh control = mesh_of(folder / "c.ply");
+      const Mesh reference = mesh_of(folder / "r.ply");
+      ASSERT_EQ(control.face_vertices, reference.face_vertices);
+      EXPECT_EQ(control.hole_faces, reference.hole_faces);
+      for (Index v = n; v < control.vertex_count(); ++v) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          EXPECT_EQ(control.points[v][k], reference.points[v][k]) << name << " " << v;
+        }
+      }
+      EXPECT_NE(control.points[0], reference.points[0]);
+    }
+  }
+}
+
+TEST(Interpolate, TheReferenceIsNotWrittenWithoutTheResult) {
+  const TempFolder folder;
+  const std::string wishes =
+      folder.file("w.json", R"({"requirements": [{"vertex": 999, "remove": true}]})");
+  const Outcome outcome =
+      surpass({"interpolate", data("cube.obj"), "-o", folder / "c.ply", "--method", "fair",
+               "--write-reference", folder / "r.ply", "--requirements", wishes});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"w.json"});
+}
+
 TEST(Interpolate, EverySolverFindsTheSameControlMesh) {
   const TempFolder folder;
   for (const char* solver : {"chebyshev", "richardson", "conjugate-gradient", "gauss-seidel"}) {

@@ -101,6 +101,19 @@ TEST(Usage, OutputsThatCannotBeMeant) {
   expect_usage_error({"interpolate", given, "-o", folder / "link.obj"}, "is an input");
   expect_usage_error({"interpolate", given, "-o", folder / "a.obj", "--surface", folder / "a.obj"},
                      "are the same file");
+  const auto with_reference = [&](const std::string& path) {
+    return std::vector<std::string>{
+        "interpolate",       given,        "-o",          folder / "a.obj",
+        "--method",          "similarity", "--reference", folder / "link.obj",
+        "--write-reference", path};
+  };
+  expect_usage_error(with_reference(folder / "a.obj"), "are the same file");
+  expect_usage_error(with_reference(given), "is an input");
+  expect_usage_error(with_reference(folder / "link.obj"), "is an input");
+  expect_usage_error(with_reference(folder / "r.png"), "does not name a format");
+  expect_usage_error(
+      {"interpolate", given, "-o", folder / "a.obj", "--write-reference", folder / "r.obj"},
+      "it is for --method similarity");
   const std::string list = folder.file("list.off", "0 1 2\n");
   expect_usage_error({"interpolate", given, "-o", list, "--only", list}, "is an input");
   expect_usage_error({"interpolate", given, "-o", folder / "a.xyz"}, "does not name a format");

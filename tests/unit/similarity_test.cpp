@@ -52,6 +52,71 @@ TEST(Similarity, AReferenceOfOnesOwnIsReproduced) {
   }
 }
 
+// The cube's own limit is at 5/9 of it and so is stretched by 2: values of the specification.
+TEST(Similarity, TheReferenceOfTheCubeIsKnown) {
+  const Mesh cube = test::cube();
+  const auto solver = SimilarityInterpolator::create(cube).value();
+  const auto reference = solver.reference(cube.points).value();
+  ASSERT_EQ(reference.size(), 26U);
+  for (std::size_t v = 0; v < reference.size(); ++v) {
+    const double expected = v < 8 ? 10.0 / 9 : v < 20 ? 1.5 : 2;
+    const std::size_t sides = v < 8 ? 3 : v < 20 ? 2 : 1;
+    std::size_t found = 0;
+    for (const double x : reference[v]) {
+      if (std::abs(std::abs(x) - expected) < 1e-14) ++found;
+      EXPECT_LT(std::abs(x), expected + 1e-14);
+    }
+    EXPECT_EQ(found, sides) << v;
+  }
+}
+
+TEST(Similarity, TheReferenceHasTheBoxOfTheGivenPoints) {
+  for (const Scheme scheme : all_schemes()) {
+    for (const Mesh& mesh :
+         {test::jittered(test::triangle_grid(6, 5)), test::jittered(test::icosahedron())}) {
+      SCOPED_TRACE(name_of(scheme));
+      SimilarityOptions options;
+      options.rules = {scheme};
+      const auto solver = SimilarityInterpolator::create(mesh, options).value();
+      const auto reference = solver.reference(mesh.points).value();
+      const auto limits = solver.limit_positions(reference).value();
+      EXPECT_GT(test::max_distance(limits, mesh.points), 1e-3) << "it need not interpolate";
+      const auto box = bounding_box(limits);
+      const auto given = bounding_box(mesh.points);
+      EXPECT_LT(test::max_distance({box.low, box.high}, {given.low, given.high}), 1e-13);
+    }
+  }
+}
+
+// Of what is free; the rest is where the given points, or their substitutes, need it.
+TEST(Similarity, WithoutIterationsFreeVerticesAreTheReferences) {
+  Mesh mesh = test::jittered(test::quad_grid(4, 3));
+  const std::size_t n = mesh.points.size();
+  Mesh other = mesh;
+  for (Point& p : other.points) p[2] += p[0] * p[1];
+  const Requirement moved = {.kind = Requirement::Kind::position, .vertex = 6, .value = {9, 1, 2}};
+  for (const OpenMeshes open : {OpenMeshes::boundary_rules, OpenMeshes::dummy_ring}) {
+    SimilarityOptions options;
+    options.open = open;
+    options.max_iterations = 0;
+    const auto solver = SimilarityInterpolator::create(mesh, options).value();
+    std::vector<std::vector<Point>> seen;
+    for (const auto& own : {std::vector<Point>(), other.points}) {
+      for (const auto& wishes : {std::vector<Requirement>(), std::vector{moved}}) {
+        const auto found = solver.solve_required(wishes, mesh.points, own).value();
+        const auto reference = solver.reference(mesh.points, own, wishes).value();
+        ASSERT_EQ(reference.size(), found.points.size());
+        for (std::size_t v = n; v < reference.size(); ++v) {
+          EXPECT_EQ(reference[v], found.points[v]) << v;
+        }
+        EXPECT_NE(reference[6], found.points[6]);
+        for (const auto& earlier : seen) EXPECT_NE(reference, earlier);
+        seen.push_back(reference);
+      }
+    }
+  }
+}
+
 TEST(Similarity, ChannelsAreInterpolatedAlong) {
   Mesh mesh = test::jittered(test::quad_grid(4, 3));
   Channel colour{"color", {"r", "g"}, {}};
@@ -90,8 +155,14 @@ TEST(Similarity, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(solver.solve(std::vector<Point>(7)).error().code, ErrorCode::mismatch);
   EXPECT_EQ(solver.solve_like(std::vector<Point>(9), cube.points).error().code,
             ErrorCode::mismatch);
+  EXPECT_EQ(solver.reference(std::vector<Point>(7)).error().code, ErrorCode::mismatch);
+  EXPECT_EQ(solver.reference(cube.points, std::vector<Point>(9)).error().code, ErrorCode::mismatch);
+  const Requirement nowhere = {.kind = Requirement::Kind::remove, .vertex = 8};
+  EXPECT_EQ(solver.reference(cube.points, {}, std::vector{nowhere}).error().code,
+            solver.solve_required(std::vector{nowhere}, cube.points).error().code);
   auto points = cube.points;
   points[3][1] = NAN;
+  EXPECT_EQ(solver.reference(points).error().code, ErrorCode::not_finite);
   EXPECT_EQ(solver.solve(points).error().code, ErrorCode::not_finite);
   const std::atomic<bool> stop = true;
   EXPECT_EQ(solver.solve(test::jittered(cube).points, {}, {.cancel = &stop}).error().code,
