@@ -84,7 +84,7 @@ pictures of a row are seen from the same place.
 FIGURE_3_TEXT = """
 ## Figure 3: an open mesh, and its rim
 The paper goes around the boundary with a ring of dummy faces, whose outer vertices start where the boundary's are.
-The ring has no width there; (c) shows it, in blue, after the refinement and the scaling, which give it some. Of the
+The ring has no width there; (c) shows it after the refinement, which gives it some: the blue band at the rim. Of the
 two rings that it is refined to, only the inner one has an influence on the surface, and only that one is kept. The
 surfaces (d), (e) and (f) end inside of it. In (f) the surface is asked to end upright at every vertex of the rim; what
 the paper asks of its glass it does not say. The form is `vectors`, the default here.
