@@ -228,9 +228,13 @@ std::vector<Point> points_of(std::span<const double> values) {
   return points;
 }
 
-Iteration error_of(const SimilarityPrepared& prepared, std::span<const Point> control,
-                   std::span<const Point> points, double side, const Context& context) {
-  const auto limit = limit_points(prepared.elimination.limits(), control, context);
+// Of the given vertices.
+std::vector<Point> limits_of(const SimilarityPrepared& prepared, std::span<const Point> control,
+                             const Context& context) {
+  return limit_points(prepared.elimination.limits(), control, context);
+}
+
+Iteration error_of(std::span<const Point> limit, std::span<const Point> points, double side) {
   Iteration error;
   for (std::size_t v = 0; v < points.size(); ++v) {
     const double distance =
@@ -254,9 +258,8 @@ std::size_t derivative_count(const PatchRows& rows) {
   return static_cast<std::size_t>(std::llround(count));
 }
 
-void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<const Point> points,
-                 const Context& context, SimilaritySolution& solution) {
-  SimilarityReport& report = solution.report;
+void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<const Point> limits,
+                 std::span<const Point> points, const Context& context, SimilarityReport& report) {
   const SimilarityOptions& options = prepared.options;
   const double side = bounding_box(points).side();
   const double unit = side > 0 ? side : 1;
@@ -264,8 +267,9 @@ void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<con
   report.solve.tolerance = floored_tolerance(options.tolerance, flat(points), unit);
   report.solve.solver = name_of(options.solver);
   report.solve.iterations = found.outcome.iterations;
-  report.solve.initial = error_of(prepared, points_of(found.reference), points, unit, context);
-  report.solve.final = error_of(prepared, solution.points, points, unit, context);
+  report.solve.initial =
+      error_of(limits_of(prepared, points_of(found.reference), context), points, unit);
+  report.solve.final = error_of(limits, points, unit);
   report.solve.final.iteration = found.outcome.iterations;
   report.solve.converged = report.solve.final.max <= report.solve.tolerance;
   report.residuals = std::move(found.outcome.residuals);
@@ -352,11 +356,13 @@ Result<void> carry_channels(const SimilarityPrepared& prepared, std::span<const 
   return {};
 }
 
+// `limits`: of the given vertices, on the surface that was found; `points`: what they are to be.
 SimilaritySolution solution_of(const SimilarityPrepared& prepared, Found& found,
+                               std::vector<Point> control, std::span<const Point> limits,
                                std::span<const Point> points, const Context& context) {
   SimilaritySolution solution;
-  solution.points = points_of(found.values);
-  fill_report(prepared, found, points, context, solution);
+  solution.points = std::move(control);
+  fill_report(prepared, found, limits, points, context, solution.report);
   judge_residual(prepared, found.outcome, solution.report);
   return solution;
 }
@@ -374,7 +380,10 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Po
   auto found =
       find(prepared, {flat(points), flat(reference), 3, true, prepared.elimination}, context);
   if (!found) return tl::make_unexpected(found.error());
-  SimilaritySolution solution = solution_of(prepared, *found, points, context);
+  std::vector<Point> control = points_of(found->values);
+  const auto limits = limits_of(prepared, control, context);
+  SimilaritySolution solution =
+      solution_of(prepared, *found, std::move(control), limits, points, context);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());
   }
@@ -470,11 +479,12 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   if (!found) return tl::make_unexpected(found.error());
   control.points = points_of(found->values);
   // Nothing is missed at vertices that were let go.
-  const auto limits = limit_points(prepared.elimination.limits(), control.points, context);
+  const auto limits = limits_of(prepared, control.points, context);
   for (std::size_t v = 0; v < equations->released.size(); ++v) {
     if (equations->released[v] != 0) targets[v] = limits[v];
   }
-  SimilaritySolution solution = solution_of(prepared, *found, targets, context);
+  SimilaritySolution solution =
+      solution_of(prepared, *found, control.points, limits, targets, context);
   const double extent = bounding_box(points).side();
   const double side = extent > 0 ? extent : 1;
   if (auto ok = check_planes(requirements, *equations, control.points, side); !ok) {
@@ -520,7 +530,7 @@ Result<std::vector<Point>> SimilarityInterpolator::limit_positions(std::span<con
                 fmt::format("{} points were given for a control mesh of {} vertices",
                             control.size(), impl_->control_count()));
   }
-  return limit_points(impl_->elimination.limits(), control, context);
+  return limits_of(*impl_, control, context);
 }
 
 Result<SimilarityInterpolated> interpolate_similar(const Mesh& mesh,
