@@ -6,12 +6,30 @@
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "nonstationary.hpp"
+#include "requirements_input.hpp"
 #include "rules_option.hpp"
 #include "solver_options.hpp"
 
 namespace surpass::cli {
 
 namespace {
+
+/// What the surface does of all that it shall do.
+struct Findings {
+  std::string table;    ///< a line for each thing that was compared
+  double vertices = 0;  ///< the largest error of them by any evaluator
+  std::vector<Requirement> requirements = {};
+  std::vector<RequirementOutcome> outcomes = {};  ///< #requirements
+};
+
+/// The requirement that is missed by most, of at least one.
+std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes) {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < outcomes.size(); ++i) {
+    if (!(outcomes[i].error <= outcomes[worst].error)) worst = i;
+  }
+  return worst;
+}
 
 class Check : public Command {
  public:
@@ -28,6 +46,10 @@ class Check : public Command {
     given_mending_.define(options);
     rules_.define(options, true);
     nonstationary_.define(options);
+    requirements_.define(
+        options, "Certificate",
+        "; the file that interpolate had. Vertices that it moves are compared with "
+        "their new place, those that it lets go are not");
     add_tolerance(options, tolerance_);
     add_oracle(options, oracle_);
     options.examples(
@@ -38,19 +60,25 @@ class Check : public Command {
         "in the file (refined=1) tells so. Under doo-sabin they have a face for each, which is\n"
         "found by the faces of GIVEN.\n"
         "Scheme and boundary rule are taken from the control mesh if surpass wrote it.\n"
+        "With --requirements or --normals each of them is evaluated on the surface of CONTROL;\n"
+        "equations cannot tell signs, so opposite normals and directions are noted, not refused.\n"
+        "--oracle judges the vertices alone, at the places that they shall have.\n"
         "Under nonstationary-loop CONTROL is the given mesh itself, and the surface that it makes\n"
         "is evaluated; or it is a surface that subdivide or interpolate wrote, whose first "
         "vertices\n"
         "are compared.\n"
-        "Exit code 0 if the error is within the tolerance, else 4.\n\n"
+        "Exit code 0 if every error is within the tolerance, else 4.\n\n"
         "Examples:\n"
         "  surpass check control.obj --against given.obj\n"
-        "  surpass check control.ply --against given.ply --tolerance 1e-12 --oracle\n");
+        "  surpass check control.ply --against given.ply --tolerance 1e-12 --oracle\n"
+        "  surpass check control.obj --against given.obj --requirements wishes.json\n");
   }
 
   Result<void> run(Session& session) override {
     if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
-    std::vector<std::string> inputs = nonstationary_.inputs();
+    if (const auto meant = check_options(); !meant) return meant;
+    std::vector<std::string> inputs = requirements_.inputs();
+    for (const std::string& path : nonstationary_.inputs()) inputs.push_back(path);
     inputs.insert(inputs.end(), {control_path_, given_path_});
     const auto paths = check_report_path(session, inputs);
     if (!paths) return paths;
@@ -77,6 +105,14 @@ class Check : public Command {
   }
 
  private:
+  Result<void> check_options() const {
+    if (!rules_.nonstationary() || !requirements_.given()) return {};
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("under {} there are no requirements; leave out --requirements and "
+                            "--normals",
+                            kNonstationaryLoop));
+  }
+
   Result<LoadedMesh> load(const std::string& path, Session& session) const {
     return load_mesh(path, path == "-" ? from_ : Format::automatic, session);
   }
@@ -92,25 +128,62 @@ class Check : public Command {
                     control_path_, control.vertex_count(), given_path_, given.vertex_count()));
   }
 
-  Result<void> judge(const Mesh& control, const Mesh& mesh, const Rules& rules,
+  Result<void> judge(const Mesh& control, const Mesh& given, const Rules& rules,
                      Session& session) const {
-    const std::span<const Point> given = mesh.points;
+    if (requirements_.given()) return judge_required(control, given, rules, session);
     const Result<Certificate> own =
-        session.timed("verify", [&] { return certify(control, mesh, rules, session.context); });
+        session.timed("verify", [&] { return certify(control, given, rules, session.context); });
     if (!own) return tl::make_unexpected(own.error());
-    session.report["error"] = certificate_json(*own);
-    std::string text = line(*own);
-    double worst = own->max;
-    if (oracle_) {
-      const Result<Certificate> oracle =
-          session.timed("verify", [&] { return certify_by_oracle(control, given, rules); });
-      if (!oracle) return tl::make_unexpected(oracle.error());
-      session.console.notes(oracle->notes);
-      session.report["oracle"] = certificate_json(*oracle);
-      text += line(*oracle);
-      worst = std::max(worst, oracle->max);
+    Findings findings = findings_of(*own, session);
+    if (const auto asked = ask_oracle(control, given.points, rules, findings, session); !asked) {
+      return asked;
     }
-    return conclude(worst, text, given, rules, session);
+    return conclude(findings, given.points, rules, session);
+  }
+
+  Result<void> judge_required(const Mesh& control, const Mesh& given, const Rules& rules,
+                              Session& session) const {
+    auto requirements = requirements_.load(given, rules, session);
+    if (!requirements) return tl::make_unexpected(requirements.error());
+    auto own = session.timed("verify", [&] {
+      return certify_required(control, given, rules, *requirements, session.context);
+    });
+    if (!own) return tl::make_unexpected(own.error());
+    session.report["replaced"] = own->replaced;
+    session.report["removed"] = own->removed;
+    if (own->replaced + own->removed > 0) {
+      session.console.note(fmt::format(
+          "of {} given vertices the requirements move {}, compared with the new place, and remove "
+          "{}, not compared",
+          given.points.size(), own->replaced, own->removed));
+    }
+    Findings findings = findings_of(own->vertices, session);
+    findings.requirements = std::move(*requirements);
+    findings.outcomes = std::move(own->outcomes);
+    if (const auto asked = ask_oracle(control, own->targets, rules, findings, session); !asked) {
+      return asked;
+    }
+    session.report["requirements"] = outcomes_json(findings.requirements, findings.outcomes);
+    findings.table += line(findings);
+    return conclude(findings, given.points, rules, session);
+  }
+
+  static Findings findings_of(const Certificate& own, Session& session) {
+    session.report["error"] = certificate_json(own);
+    return {line(own), own.max};
+  }
+
+  Result<void> ask_oracle(const Mesh& control, std::span<const Point> aims, const Rules& rules,
+                          Findings& findings, Session& session) const {
+    if (!oracle_) return {};
+    const Result<Certificate> oracle =
+        session.timed("verify", [&] { return certify_by_oracle(control, aims, rules); });
+    if (!oracle) return tl::make_unexpected(oracle.error());
+    session.console.notes(oracle->notes);
+    session.report["oracle"] = certificate_json(*oracle);
+    findings.table += line(*oracle);
+    findings.vertices = std::max(findings.vertices, oracle->max);
+    return {};
   }
 
   /// A surface that was written has the given vertices first; else the given mesh is what makes it,
@@ -133,32 +206,61 @@ class Check : public Command {
     if (!found) return tl::make_unexpected(found.error());
     const auto own = compare_points(std::span(*found).first(n), surface->aims(), "surpass");
     if (!own) return tl::make_unexpected(own.error());
-    session.report["error"] = certificate_json(*own);
-    return conclude(own->max, line(*own), given.points, {Scheme::loop}, session);
+    return conclude(findings_of(*own, session), given.points, {Scheme::loop}, session);
   }
 
-  Result<void> conclude(double worst, const std::string& text, std::span<const Point> given,
-                        const Rules& rules, Session& session) const {
+  Result<void> conclude(const Findings& findings, std::span<const Point> given, const Rules& rules,
+                        Session& session) const {
     const double side = bounding_box(given).side();
     const double tolerance = floored_tolerance(tolerance_, flat(given), side > 0 ? side : 1);
-    const bool within = worst <= tolerance;
+    session.console.notes(notes_on(findings.requirements, findings.outcomes, tolerance));
+    const auto [missed, worst] = missed_by_more(findings, tolerance);
+    const bool within = missed.empty();
     session.report["tolerance"] = tolerance;
     session.report["converged"] = within;
-    if (const auto printed = session.print_result(text); !printed) return printed;
+    if (const auto printed = session.print_result(findings.table); !printed) return printed;
     if (within) return {};
     constexpr double kSinglePrecision = 1e-6;
     const char* advice =
         worst > kSinglePrecision ? "" : "; if a file holds 32-bit numbers, try --tolerance 1e-6";
     return fail(ErrorCode::not_converged,
-                fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
-                            "than the tolerance {:.3g} (rules: {}, {}){}",
-                            worst, tolerance, session.report["scheme"].get<std::string>(),
+                fmt::format("the surface misses {} of the box side, more than the tolerance {:.3g} "
+                            "(rules: {}, {}){}",
+                            missed, tolerance, session.report["scheme"].get<std::string>(),
                             name_of(rules.boundary), advice));
+  }
+
+  struct Missed {
+    std::string what = {};  ///< with amounts; empty if nothing is
+    double worst = 0;
+  };
+
+  static Missed missed_by_more(const Findings& findings, double tolerance) {
+    Missed missed;
+    const auto add = [&](const std::string& what, double error) {
+      missed.what += fmt::format("{}{} by {:.3g}", missed.what.empty() ? "" : " and ", what, error);
+      missed.worst = std::max(missed.worst, error);
+    };
+    if (!(findings.vertices <= tolerance)) add("the given vertices", findings.vertices);
+    if (!all_met(findings.outcomes, tolerance)) {
+      const std::size_t i = worst_of(findings.outcomes);
+      add(fmt::format("requirement {} ({})", i, describe(findings.requirements[i])),
+          findings.outcomes[i].error);
+    }
+    return missed;
   }
 
   static std::string line(const Certificate& c) {
     return fmt::format("{:16}  max {:.6g} at vertex {}, mean {:.6g} of the box side {:.6g}\n",
                        c.evaluator, c.max, c.worst_vertex, c.mean, c.box_side);
+  }
+
+  static std::string line(const Findings& findings) {
+    const std::size_t count = findings.outcomes.size();
+    if (count == 0) return "requirements      none\n";
+    const std::size_t i = worst_of(findings.outcomes);
+    return fmt::format("requirements      max {:.6g} at {} ({}), {} of them\n",
+                       findings.outcomes[i].error, i, describe(findings.requirements[i]), count);
   }
 
   std::string control_path_;
@@ -167,6 +269,7 @@ class Check : public Command {
   Mending given_mending_;
   RulesOption rules_;
   Nonstationary nonstationary_;
+  RequirementsInput requirements_;
   double tolerance_ = InterpolateOptions{}.tolerance;
   bool oracle_ = false;
 };

@@ -7,58 +7,11 @@
 #include <fmt/format.h>
 
 #include "mesh_input.hpp"
-#include "requirements_file.hpp"
 #include "rules_option.hpp"
 
 namespace surpass::cli {
 
 namespace {
-
-constexpr const char* kGivenNormals = "given";
-
-Json requirements_json(const std::vector<Requirement>& requirements,
-                       const std::vector<RequirementOutcome>& outcomes) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < requirements.size(); ++i) {
-    Json entry = {{"what", describe(requirements[i])},
-                  {"error", outcomes[i].error},
-                  {"redundant", outcomes[i].redundant}};
-    const Requirement::Kind kind = requirements[i].kind;
-    if (kind == Requirement::Kind::normal || kind == Requirement::Kind::direction) {
-      entry["flipped"] = outcomes[i].flipped;
-    }
-    list.push_back(std::move(entry));
-  }
-  return list;
-}
-
-/// The normals that a file has for its vertices, or for their faces' corners where these agree at a
-/// vertex; zeros at other vertices. Nothing if it has none at all.
-std::optional<std::vector<Point>> vertex_normals(const Mesh& mesh) {
-  std::vector<Point> normals(mesh.points.size());
-  const auto is_normal = [](const auto& c) { return c.name == "normal"; };
-  const auto channel = std::find_if(mesh.channels.begin(), mesh.channels.end(), is_normal);
-  if (channel != mesh.channels.end() && channel->width() == 3) {
-    std::copy(channel->values.begin(), channel->values.end(), flat(std::span(normals)).begin());
-    return normals;
-  }
-  const auto& of_corners = mesh.corner_channels;
-  const auto corners = std::find_if(of_corners.begin(), of_corners.end(), is_normal);
-  if (corners == of_corners.end() || corners->width != 3) return std::nullopt;
-  std::vector<unsigned char> seen(normals.size(), 0);
-  for (Index c = 0; c < mesh.corner_count(); ++c) {
-    const Index row = corners->indices[c];
-    Point here = {};
-    if (row != kNone) std::copy_n(&corners->values[std::size_t{3} * row], 3, here.begin());
-    const Index v = mesh.face_vertices[c];
-    if (std::exchange(seen[v], 1) == 0) {
-      normals[v] = here;
-    } else if (normals[v] != here) {
-      normals[v] = {};
-    }
-  }
-  return normals;
-}
 
 /// Faces from their smallest vertex on, in order: equal where meshes differ in how they list them.
 std::vector<std::vector<Index>> turned_faces(const Mesh& mesh) {
@@ -117,16 +70,8 @@ void Similar::define(Options& options) {
                    "of the output, whose surface the interpolating one resembles or, under the "
                    "method fair, starts from")
               .type_name("FILE"));
-  grouped(options
-              .add("--requirements", requirements_path_,
-                   "Normals, derivatives and points that the surface shall have, given vertices to "
-                   "move or to let go: JSON, as docs/requirements.schema.json says")
-              .type_name("FILE"));
-  grouped(options
-              .add("--normals", normals_path_,
-                   "The surface shall have the vertex normals of this mesh, vertex by vertex; or "
-                   "given: those of the given file")
-              .type_name("MESH"));
+  requirements_input_.define(options, "Similarity and fairing",
+                             "; surpass check with the same options verifies them from the file");
   samples_ = grouped(options
                          .add("--samples", options_.samples,
                               "Derivatives are sampled at this many points along the side of a "
@@ -157,10 +102,8 @@ void Similar::define(Options& options) {
 }
 
 std::vector<std::string> Similar::inputs() const {
-  std::vector<std::string> paths;
-  for (const std::string& path : {reference_path_, requirements_path_, normals_path_}) {
-    if (!path.empty() && path != kGivenNormals) paths.push_back(path);
-  }
+  std::vector<std::string> paths = requirements_input_.inputs();
+  if (!reference_path_.empty()) paths.push_back(reference_path_);
   return paths;
 }
 
@@ -183,8 +126,8 @@ Result<void> Similar::check(Method method) const {
       Rule{"--open", open_.has_value(), true, true},
       Rule{"--reference", !reference_path_.empty(), true, true},
       Rule{"--write-reference", !reference_output_.empty(), true, true},
-      Rule{"--requirements", !requirements_path_.empty(), true, true},
-      Rule{"--normals", !normals_path_.empty(), true, true},
+      Rule{"--requirements", requirements_input_.lists(), true, true},
+      Rule{"--normals", requirements_input_.names_normals(), true, true},
       Rule{"--samples", samples_.given(), true, true},
       Rule{"--thin-plate", thin_plate_.given(), false, true},
       Rule{"--membrane", membrane_.given(), false, true},
@@ -245,48 +188,6 @@ Result<void> Similar::write_reference(const MeshOutput& output, Session& session
   return resembled_ ? output.write(*resembled_, reference_output_, session) : Result<void>();
 }
 
-Result<std::vector<Point>> Similar::load_normals(const Mesh& given, Session& session) const {
-  std::optional<LoadedMesh> other;
-  if (normals_path_ != kGivenNormals) {
-    Result<LoadedMesh> loaded = load_mesh(normals_path_, Format::automatic, session);
-    if (!loaded) return tl::make_unexpected(loaded.error());
-    other = std::move(*loaded);
-  }
-  auto normals = vertex_normals(other ? other->mesh : given);
-  if (!normals || normals->size() != given.points.size()) {
-    return fail(ErrorCode::mismatch,
-                other ? fmt::format("{} has no normals for the {} vertices of the given mesh",
-                                    normals_path_, given.points.size())
-                      : "the given file has no normals");
-  }
-  return std::move(*normals);
-}
-
-Result<void> Similar::load_requirements(const Mesh& given, Session& session) {
-  if (!requirements_path_.empty()) {
-    auto read = read_requirements(requirements_path_);
-    if (!read) return tl::make_unexpected(read.error());
-    requirements_ = std::move(*read);
-    if (session.report.contains("mended")) {
-      session.console.note(fmt::format("vertices and faces in {} are counted in the mended mesh",
-                                       requirements_path_));
-    }
-  }
-  if (normals_path_.empty()) return {};
-  const auto normals = load_normals(given, session);
-  if (!normals) return tl::make_unexpected(normals.error());
-  const auto everywhere = normals_everywhere(given, options_.rules, *normals);
-  if (!everywhere) return tl::make_unexpected(everywhere.error());
-  if (everywhere->size() < given.points.size()) {
-    session.console.note(fmt::format(
-        "a normal is required at {} of {} vertices; the others have none in the file, or the "
-        "surface has none there: they are on creases, at corners or without faces",
-        everywhere->size(), given.points.size()));
-  }
-  requirements_.insert(requirements_.end(), everywhere->begin(), everywhere->end());
-  return {};
-}
-
 Result<void> Similar::prepare(Method method, const InterpolateOptions& common, const Mesh& given,
                               Session& session) {
   options_.rules = common.rules;
@@ -298,7 +199,9 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common, c
   options_.row_weights = row_weights_.value_or(options_.row_weights);
   options_.scaling = scaling_.value_or(reference_path_.empty() ? Scaling::per_axis : Scaling::none);
   session.report["solver"] = name_of(options_.solver);
-  if (auto loaded = load_requirements(given, session); !loaded) return loaded;
+  auto loaded = requirements_input_.load(given, options_.rules, session);
+  if (!loaded) return tl::make_unexpected(loaded.error());
+  requirements_ = std::move(*loaded);
   const bool better_around = options_.rules.scheme == Scheme::catmull_clark &&
                              prescribes_at_boundary(given, requirements_);
   options_.open = open_.value_or(better_around ? OpenMeshes::dummy_ring : options_.open);
@@ -335,7 +238,11 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
     similarity["membrane"] = options_.membrane;
   }
   if (!requirements_.empty()) {
-    similarity["requirements"] = requirements_json(requirements_, report.requirements);
+    Json& entries = similarity["requirements"];
+    entries = outcomes_json(requirements_, report.requirements);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      entries[i]["redundant"] = report.requirements[i].redundant;
+    }
   }
   session.report["similarity"] = std::move(similarity);
   given = std::move(solution->targets);

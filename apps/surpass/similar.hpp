@@ -11,6 +11,7 @@
 
 #include "mesh_output.hpp"
 #include "options.hpp"
+#include "requirements_input.hpp"
 #include "session.hpp"
 
 namespace surpass::cli {
@@ -56,8 +57,6 @@ class Similar {
  private:
   [[nodiscard]] Result<void> load_reference(const Mesh& given, Session& session);
   [[nodiscard]] Result<void> make_reference(const Mesh& given, Session& session);
-  [[nodiscard]] Result<void> load_requirements(const Mesh& given, Session& session);
-  [[nodiscard]] Result<std::vector<Point>> load_normals(const Mesh& given, Session& session) const;
 
   std::optional<Similarity> form_;
   std::optional<RowWeights> row_weights_;
@@ -66,8 +65,7 @@ class Similar {
   SimilarityOptions options_;
   std::string reference_path_;
   std::string reference_output_;
-  std::string requirements_path_;
-  std::string normals_path_;
+  RequirementsInput requirements_input_;
   std::vector<Requirement> requirements_;
   std::vector<Point> reference_;   ///< of one's own, as read
   std::optional<Mesh> resembled_;  ///< refined and stretched, where it is to be written

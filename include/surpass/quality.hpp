@@ -3,6 +3,7 @@
 
 #include <surpass/context.hpp>
 #include <surpass/mesh.hpp>
+#include <surpass/requirements.hpp>
 #include <surpass/scheme.hpp>
 
 #include <span>
@@ -33,6 +34,28 @@ struct Certificate {
 /// have the limit points. Fails if the faces of `control` are not those that `given` refines to.
 [[nodiscard]] Result<Certificate> certify(const Mesh& control, const Mesh& given,
                                           const Rules& rules, const Context& context = {});
+
+/// What a control mesh does of what is required of it.
+struct RequiredCertificate {
+  Certificate vertices;                      ///< limits against `targets`
+  std::vector<RequirementOutcome> outcomes;  ///< #requirements; `redundant` is not looked for
+  /// #V of the given mesh: the given points, or those that requirements put in their place; where
+  /// one is removed the limit itself, so that it is not compared.
+  std::vector<Point> targets;
+  std::size_t replaced = 0;  ///< given vertices with another place
+  std::size_t removed = 0;
+};
+
+/// Evaluates the limit of `control` anew, at the vertices and at the places of the requirements, by
+/// the law that SimilarityInterpolator::solve_required reports with. `control` is a mesh that
+/// certify() takes; one that was not refined is, once, for its surface stays the same. Errors: as
+/// certify(); those of solve_required for a requirement that says nothing possible, or that
+/// contradicts another one by itself; `mismatch` where requirements are on faces and those of
+/// `control` are not what the faces of `given` turn into; `not_converged` where there is no
+/// tangent plane, for equations do not see that.
+[[nodiscard]] Result<RequiredCertificate> certify_required(
+    const Mesh& control, const Mesh& given, const Rules& rules,
+    std::span<const Requirement> requirements, const Context& context = {});
 
 /// Whether a control mesh can be compared with so many given points, and how many of its vertices
 /// are not theirs: as certify() has it.

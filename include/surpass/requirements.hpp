@@ -70,4 +70,13 @@ struct RequirementOutcome {
   bool flipped = false;
 };
 
+/// A sentence each, with a count and the first of them, on those of #requirements that were
+/// dropped, met with the opposite sign, or missed by more than `tolerance`.
+[[nodiscard]] std::vector<std::string> notes_on(std::span<const Requirement> requirements,
+                                                std::span<const RequirementOutcome> outcomes,
+                                                double tolerance);
+
+/// Whether every error is within the tolerance; a sign is no error.
+[[nodiscard]] bool all_met(std::span<const RequirementOutcome> outcomes, double tolerance);
+
 }  // namespace surpass

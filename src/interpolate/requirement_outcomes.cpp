@@ -72,7 +72,6 @@ Result<std::vector<RequirementOutcome>> requirement_outcomes(
     const Requirement& r = requirements[i];
     if (is_of_vertex(r)) samples[i].position = limits[r.vertex];
     outcomes[i] = outcome_of(r, equations.along[i], samples[i], side);
-    outcomes[i].redundant = equations.repeated[i] != 0;
   }
   return outcomes;
 }

@@ -3,6 +3,7 @@
 // Beyond the paper: the vectors form, preconditioned conjugate gradients in the place of Gauss and
 // Seidel, nothing assembled; and Halstead, Kass and DeRose's energies on the same machinery.
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -392,46 +393,23 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Po
 
 namespace {
 
-// What says that requirements were dropped or missed, one sentence a kind.
-class OutcomeNotes {
- public:
-  OutcomeNotes(std::span<const Requirement> requirements, SimilarityReport& report)
-      : requirements_(requirements), report_(report) {}
-
-  /// Nothing is nearer than 4 units in the last place of `points`.
-  void add(std::span<const Point> points, double side) {
-    const double tolerance = floored_tolerance(1e-10, flat(points), side);
-    add_where("dropped, for they follow from the others",
-              [](const RequirementOutcome& o) { return o.redundant; });
-    add_where("met with the opposite sign, which their equations cannot tell",
-              [](const RequirementOutcome& o) { return o.flipped; });
-    const std::size_t missed =
-        add_where(fmt::format("missed by more than {:.3g} of the box side", tolerance),
-                  [&](const RequirementOutcome& o) { return !(o.error <= tolerance); });
-    if (missed > 0) report_.solve.converged = false;
+// Requirements that repeat an earlier one at their vertex, and those whose equations were dropped.
+void mark_redundant(const RequirementRows& equations, const Found& found,
+                    std::span<RequirementOutcome> outcomes) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const bool dropped = i < found.redundant.size() && found.redundant[i] != 0;
+    outcomes[i].redundant = dropped || equations.repeated[i] != 0;
   }
+}
 
- private:
-  template <class Is>
-  std::size_t add_where(std::string_view what, Is&& is) {
-    std::size_t count = 0;
-    std::size_t first = 0;
-    for (std::size_t i = requirements_.size(); i > 0; --i) {
-      if (!is(report_.requirements[i - 1])) continue;
-      ++count;
-      first = i - 1;
-    }
-    if (count > 0) {
-      report_.solve.notes.push_back(fmt::format("{} of {} requirements were {}; the first: {}, {}",
-                                                count, requirements_.size(), what, first,
-                                                describe(requirements_[first])));
-    }
-    return count;
-  }
-
-  std::span<const Requirement> requirements_;
-  SimilarityReport& report_;
-};
+// Nothing is nearer than 4 units in the last place of `points`.
+void judge_outcomes(std::span<const Requirement> requirements, std::span<const Point> points,
+                    double side, SimilarityReport& report) {
+  const double tolerance = floored_tolerance(1e-10, flat(points), side);
+  auto notes = notes_on(requirements, report.requirements, tolerance);
+  std::move(notes.begin(), notes.end(), std::back_inserter(report.solve.notes));
+  if (!all_met(report.requirements, tolerance)) report.solve.converged = false;
+}
 
 // Its points are not known yet.
 Mesh control_mesh(const SimilarityPrepared& prepared) {
@@ -494,10 +472,8 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
       requirement_outcomes(control, rules, limits, *equations, requirements, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   solution.report.requirements = std::move(*outcomes);
-  for (std::size_t i = 0; i < found->redundant.size(); ++i) {
-    if (found->redundant[i] != 0) solution.report.requirements[i].redundant = true;
-  }
-  OutcomeNotes(requirements, solution.report).add(points, side);
+  mark_redundant(*equations, *found, solution.report.requirements);
+  judge_outcomes(requirements, points, side, solution.report);
   solution.targets = std::move(targets);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());

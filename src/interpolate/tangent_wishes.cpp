@@ -165,33 +165,38 @@ Result<void> check_tangents(std::span<const Requirement> requirements,
   return {};
 }
 
-Result<void> check_planes(std::span<const Requirement> requirements,
-                          const RequirementRows& equations, std::span<const Point> control,
-                          double side) {
+std::vector<std::size_t> without_tangents(std::span<const Requirement> requirements,
+                                          const RequirementRows& equations,
+                                          std::span<const Point> control, double side) {
   std::vector<std::size_t> first(requirements.size(), equations.rows.size());
   for (std::size_t row = equations.rows.size(); row > 0; --row) {
     first[equations.rows[row - 1].requirement] = row - 1;
   }
-  std::string names;
-  std::optional<std::size_t> found;
+  std::vector<std::size_t> found;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
-    if (r.kind != Kind::normal && r.kind != Kind::direction) continue;
+    if (r.kind != Requirement::Kind::normal && r.kind != Requirement::Kind::direction) continue;
     if (!collapsed(tangents_of(equations, first[i], r.kind, control), side)) continue;
-    // Of one place only: the others' message would be the same.
-    if (found &&
-        !(requirements[*found].vertex == r.vertex && requirements[*found].place == r.place)) {
-      continue;
-    }
-    if (!found) found = i;
-    names += (names.empty() ? "" : ", ") + named(i, r);
+    const Requirement& other = requirements[found.empty() ? i : found.front()];
+    if (other.vertex == r.vertex && other.place == r.place) found.push_back(i);
   }
-  if (!found) return {};
+  return found;
+}
+
+Result<void> check_planes(std::span<const Requirement> requirements,
+                          const RequirementRows& equations, std::span<const Point> control,
+                          double side) {
+  const auto found = without_tangents(requirements, equations, control, side);
+  if (found.empty()) return {};
+  std::string names;
+  for (const std::size_t i : found) {
+    names += (names.empty() ? "" : ", ") + named(i, requirements[i]);
+  }
   return fail(ErrorCode::contradictory,
               fmt::format("requirements contradict each other or what is given around them: {} "
                           "can only be met by a surface that has no tangent plane there",
                           names),
-              place_of(requirements[*found]));
+              place_of(requirements[found.front()]));
 }
 
 }  // namespace surpass

@@ -15,9 +15,16 @@ namespace surpass {
                                           std::span<const SurfaceStencil> stencils,
                                           std::span<const std::array<double, 2>> along);
 
+/// Normals and directions at places where `control`'s surface has tangents of no length or no
+/// plane, so that equations say nothing: the numbers of those at the first such place. `side` of
+/// the box.
+[[nodiscard]] std::vector<std::size_t> without_tangents(std::span<const Requirement> requirements,
+                                                        const RequirementRows& equations,
+                                                        std::span<const Point> control,
+                                                        double side);
+
 /// Fails with `contradictory`, naming the requirements there, where normals and directions are met
-/// only because their tangents have no length or no plane on the final surface, `control`. `side`
-/// of the box.
+/// only because their tangents have no length or no plane on the final surface, `control`.
 [[nodiscard]] Result<void> check_planes(std::span<const Requirement> requirements,
                                         const RequirementRows& equations,
                                         std::span<const Point> control, double side);

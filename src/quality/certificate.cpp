@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "scheme/limit_points.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
 namespace surpass {
@@ -70,14 +69,9 @@ Result<Certificate> certify(const Mesh& control, const Mesh& given, const Rules&
   const SubdivisionScheme& scheme = scheme_of(rules.scheme);
   const bool by_faces = control.annotation("refined") == "1" && scheme.finds_given_by_faces();
   if (!by_faces) return certify(control, given.points, rules, context);
-  const auto topology = Topology::build(control);
-  if (!topology) return tl::make_unexpected(topology.error());
-  if (auto ok = require_suitable(scheme, *topology, rules); !ok) {
-    return tl::make_unexpected(ok.error());
-  }
-  const auto limits = scheme.given_limits(control, *topology, rules, given, context);
+  const auto limits = given_limit_points(control, given, rules, context);
   if (!limits) return tl::make_unexpected(limits.error());
-  return compare_points(limit_points(*limits, control.points, context), given.points, "surpass");
+  return compare_points(*limits, given.points, "surpass");
 }
 
 }  // namespace surpass

@@ -160,6 +160,15 @@ Result<std::vector<Point>> limit_normals(const Mesh& control, const Rules& rules
   return scheme_of(rules.scheme).limit_normals(control, *topology, rules, context);
 }
 
+Result<std::vector<Point>> given_limit_points(const Mesh& refined, const Mesh& given,
+                                              const Rules& rules, const Context& context) {
+  const auto topology = suitable_topology(refined, rules);
+  if (!topology) return tl::make_unexpected(topology.error());
+  const auto rows = scheme_of(rules.scheme).given_limits(refined, *topology, rules, given, context);
+  if (!rows) return tl::make_unexpected(rows.error());
+  return limit_points(*rows, refined.points, context);
+}
+
 namespace {
 
 Result<Mesh> refine_once(const Mesh& mesh, const Rules& rules, const Context& context,

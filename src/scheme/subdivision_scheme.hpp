@@ -113,6 +113,13 @@ class SubdivisionScheme {
 Result<void> require_suitable(const SubdivisionScheme& scheme, const Topology& topology,
                               const Rules& rules);
 
+/// Limit points of the given vertices on `refined`, a mesh that one step made of `given`, as
+/// SubdivisionScheme::given_limits has it. Fails where Topology::build does, or if the scheme does
+/// not take such faces.
+[[nodiscard]] Result<std::vector<Point>> given_limit_points(const Mesh& refined, const Mesh& given,
+                                                            const Rules& rules,
+                                                            const Context& context);
+
 /// See surpass::refine and surpass::limit_mesh.
 [[nodiscard]] Result<Mesh> refine(const Mesh& control, const Rules& rules, int levels,
                                   const Context& context, Steps& steps);

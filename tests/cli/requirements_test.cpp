@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
+#include "requirement_samples.hpp"
 #include "schema.hpp"
 
 namespace surpass::test {
@@ -31,18 +32,6 @@ class Requirements : public testing::Test {
   std::string control_ = folder_ / "control.ply";
   Schema schema_{SURPASS_REQUIREMENTS_SCHEMA};
 };
-
-const json kNormal = {{"vertex", 3}, {"normal", {0.1, 0.2, 1}}};
-const json kPosition = {{"face", 5}, {"uv", {0.5, 0.25}}, {"position", {1, 0.5, 0.3}}};
-const json kDirection = {
-    {"face", 9}, {"uv", {0.1, 0.9}}, {"along", {1, 0}}, {"direction", {0, 0.5, 1}}};
-const json kDerivative = {{"face", 7},
-                          {"uv", {0.25, 0.5}},
-                          {"corner", 2},
-                          {"along", {1, 0.5}},
-                          {"derivative", {0, 1, 0}}};
-const json kRemove = {{"vertex", 12}, {"remove", true}};
-const json kMoved = {{"vertex", 13}, {"position", {1, 1, 1}}};
 
 TEST_F(Requirements, AreMetAndReported) {
   const json all = list({kNormal, kPosition, kDirection, kDerivative, kRemove, kMoved, kNormal});

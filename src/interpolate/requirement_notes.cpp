@@ -1,0 +1,42 @@
+#include <surpass/requirements.hpp>
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+namespace surpass {
+namespace {
+
+bool is_missed(const RequirementOutcome& outcome, double tolerance) {
+  return !(outcome.error <= tolerance);
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(std::span<const Requirement> requirements,
+                                  std::span<const RequirementOutcome> outcomes, double tolerance) {
+  std::vector<std::string> notes;
+  const auto note_where = [&](const std::string& what, const auto& is) {
+    const auto first = std::find_if(outcomes.begin(), outcomes.end(), is);
+    if (first == outcomes.end()) return;
+    const auto number = static_cast<std::size_t>(first - outcomes.begin());
+    notes.push_back(fmt::format("{} of {} requirements were {}; the first: {}, {}",
+                                std::count_if(first, outcomes.end(), is), outcomes.size(), what,
+                                number, describe(requirements[number])));
+  };
+  note_where("dropped, for they follow from the others",
+             std::mem_fn(&RequirementOutcome::redundant));
+  note_where("met with the opposite sign, which their equations cannot tell",
+             std::mem_fn(&RequirementOutcome::flipped));
+  note_where(fmt::format("missed by more than {:.3g} of the box side", tolerance),
+             [&](const RequirementOutcome& o) { return is_missed(o, tolerance); });
+  return notes;
+}
+
+bool all_met(std::span<const RequirementOutcome> outcomes, double tolerance) {
+  return std::none_of(outcomes.begin(), outcomes.end(),
+                      [&](const RequirementOutcome& o) { return is_missed(o, tolerance); });
+}
+
+}  // namespace surpass
