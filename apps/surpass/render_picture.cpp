@@ -86,6 +86,7 @@ class Drawing {
 
   Result<Image> run() {
     if (const auto measured = measure(); !measured) return tl::make_unexpected(measured.error());
+    reserve_strip();
     std::vector<Image> panels;
     for (const Mesh& mesh : scene_.left) {
       RenderOptions given = options_;
@@ -143,17 +144,33 @@ class Drawing {
     return Range{(*range)[0], (*range)[1]};
   }
 
-  Result<Image> draw(std::size_t surface, std::size_t k) {
+  // All panels leave the room that the widest scale takes, so that all show the same equally large.
+  void reserve_strip() {
+    for (std::size_t k = 0; k < scene_.styles.size(); ++k) {
+      options_.strip = std::max(options_.strip, scale_width(styled(k)));
+    }
+  }
+
+  // Without the numbers of a field.
+  [[nodiscard]] RenderOptions styled(std::size_t k) const {
     const RenderStyle style = scene_.styles[k];
     RenderOptions options = options_;
     options.shading = shading_of(style);
-    Json panel = {{"mesh", scene_.surfaces[surface].path}, {"style", name_of(style)}};
     if (has_scale(style)) {
-      options.field = {.values = numbers_[k][surface],
+      options.field = {.values = {},
                        .low = scales_[k].low,
                        .high = scales_[k].high,
                        .diverging = style != RenderStyle::error,
                        .title = title_of(style)};
+    }
+    return options;
+  }
+
+  Result<Image> draw(std::size_t surface, std::size_t k) {
+    RenderOptions options = styled(k);
+    Json panel = {{"mesh", scene_.surfaces[surface].path}, {"style", name_of(scene_.styles[k])}};
+    if (options.field) {
+      options.field->values = numbers_[k][surface];
       panel["scale"] = {scales_[k].low, scales_[k].high};
     }
     session_.report["picture"]["panels"].push_back(std::move(panel));

@@ -48,6 +48,9 @@ struct RenderOptions {
   bool edges = false;        ///< draw the edges of the mesh's polygons as fine lines
   Shading shading = Shading::matte;
   std::optional<ColourField> field = {};  ///< for Shading::field
+  /// Least width of a strip at the right, in pixels, that belongs to the scale and stays empty
+  /// without one: pictures with the same strip show the same frame equally large.
+  int strip = 0;
   std::vector<Point> points = {};  ///< drawn as small balls, hidden where the surface covers them
   double point_radius = 0;         ///< relative to the box side; 0 chooses by number or distance
   std::vector<Point> frame = {};   ///< what to fit into the picture; empty: the mesh and `points`
@@ -69,6 +72,9 @@ struct RenderOptions {
 /// with the vertex or face, `degenerate_face` for faces of fewer than three corners, `cancelled`.
 [[nodiscard]] Result<Image> render(const Mesh& mesh, const RenderOptions& options = {},
                                    const Context& context = {});
+
+/// Pixels that the scale of `options.field` takes at the right of such a picture; 0 without one.
+[[nodiscard]] int scale_width(const RenderOptions& options);
 
 /// Pictures of equal height side by side, from left to right. Errors (`invalid_argument`): none, of
 /// different heights, or with a number of bytes that does not fit their size.

@@ -1,6 +1,8 @@
 // What is behind everything.
 #pragma once
 
+#include <surpass/render.hpp>
+
 #include "render/vector.hpp"
 
 namespace surpass::picture {
@@ -17,5 +19,8 @@ namespace surpass::picture {
 [[nodiscard]] inline Colour backdrop(int row, int height) {
   return backdrop((static_cast<float>(row) + 0.5F) / static_cast<float>(height));
 }
+
+/// The background and nothing before it.
+[[nodiscard]] Image blank(int width, int height);
 
 }  // namespace surpass::picture

@@ -13,9 +13,7 @@
 namespace surpass {
 
 namespace picture {
-namespace {
 
-// The background and nothing before it.
 Image blank(int width, int height) {
   const SrgbTable to_srgb;
   Image image{width, height, {}};
@@ -28,7 +26,6 @@ Image blank(int width, int height) {
   return image;
 }
 
-}  // namespace
 }  // namespace picture
 
 namespace {

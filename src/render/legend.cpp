@@ -59,16 +59,14 @@ Image draw_legend(const ColourField& field, int width, int height) {
   const SrgbTable to_srgb;
   const Bar bar = bar_of(height);
   const auto length = static_cast<double>(bar.bottom - bar.top);
-  Image strip{width, height, {}};
-  strip.pixels.reserve(std::size_t{3} * static_cast<std::size_t>(width) *
-                       static_cast<std::size_t>(height));
-  for (int y = 0; y < height; ++y) {
+  Image strip = blank(width, height);
+  for (int y = bar.top; y < bar.bottom; ++y) {
     const double up = (static_cast<double>(bar.bottom - y) - 0.5) / length;
-    const Colour behind = backdrop(y, height);
     const Colour colour = colour_of(field.low + up * (field.high - field.low), field);
-    for (int x = 0; x < width; ++x) {
-      const bool inside = x >= bar.left && x < bar.right && y >= bar.top && y < bar.bottom;
-      for (int k = 0; k < 3; ++k) strip.pixels.push_back(to_srgb((inside ? colour : behind)[k]));
+    for (int x = bar.left; x < std::min(bar.right, width); ++x) {
+      const auto at = std::size_t{3} * static_cast<std::size_t>(y * width + x);
+      for (std::size_t k = 0; k < 3; ++k)
+        strip.pixels[at + k] = to_srgb(colour[static_cast<int>(k)]);
     }
   }
   const float text = text_height(height);

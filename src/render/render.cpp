@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "parallel/parallel.hpp"
+#include "render/backdrop.hpp"
 #include "render/cloud.hpp"
 #include "render/legend.hpp"
 #include "render/painter.hpp"
@@ -47,6 +48,10 @@ Result<void> check_options(const RenderOptions& options) {
   }
   if (options.up != 'x' && options.up != 'y' && options.up != 'z') {
     return refuse(fmt::format("the up axis is x, y or z, not '{}'", options.up));
+  }
+  if (options.strip < 0 || options.strip >= options.width) {
+    return refuse(
+        fmt::format("a strip of {} pixels leaves no picture of {}", options.strip, options.width));
   }
   if (!std::isfinite(options.crease_angle)) return refuse("the crease angle must be finite");
   if (!(options.point_radius >= 0) || !std::isfinite(options.point_radius)) {
@@ -115,21 +120,29 @@ std::vector<Ball> balls_of(std::span<const Vec3> points, const Cloud& cloud,
   return balls;
 }
 
-// The strip with the scale is not part of what the camera fits the mesh into.
-RenderOptions without_legend(RenderOptions options, int legend) {
-  options.width -= legend;
+// The strip of the scale is not part of what the camera fits the mesh into.
+RenderOptions without_strip(RenderOptions options, int strip) {
+  options.width -= strip;
   return options;
 }
 
+bool has_scale(const RenderOptions& options) {
+  return options.shading == Shading::field && picture::legend_width(options) > 0;
+}
+
 }  // namespace
+
+int scale_width(const RenderOptions& options) {
+  return has_scale(options) ? picture::legend_width(options) : 0;
+}
 
 Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Context& context) {
   if (auto checked = check_options(options); !checked) return tl::make_unexpected(checked.error());
   if (auto checked = check_field(mesh, options); !checked) {
     return tl::make_unexpected(checked.error());
   }
-  const int legend = options.shading == Shading::field ? picture::legend_width(options) : 0;
-  const RenderOptions fitted = without_legend(options, legend);
+  const int strip = std::max(options.strip, scale_width(options));
+  const RenderOptions fitted = without_strip(options, strip);
   const auto display = picture::make_display_mesh(mesh, fitted, context);
   if (!display) return tl::make_unexpected(display.error());
   const Camera camera = aim(mesh, *display, fitted);
@@ -151,8 +164,10 @@ Result<Image> render(const Mesh& mesh, const RenderOptions& options, const Conte
   if (!painter.paint(image, limited)) {
     return fail(ErrorCode::cancelled, "the picture was cancelled");
   }
-  if (legend == 0) return image;
-  return beside({image, picture::draw_legend(*fitted.field, legend, fitted.height)});
+  if (strip == 0) return image;
+  return beside({image, has_scale(options)
+                            ? picture::draw_legend(*options.field, strip, options.height)
+                            : picture::blank(strip, options.height)});
 }
 
 }  // namespace surpass

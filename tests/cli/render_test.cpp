@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#ifdef SURPASS_PNG
+#include <png.h>
+#endif
 
 #include "process.hpp"
 
@@ -94,6 +97,51 @@ TEST_F(RenderCommand, TheScaleOfErrorsReachesTheLargest) {
                                 "-0.5,7"})["picture"]["panels"][0];
   EXPECT_EQ(asked["scale"], json({-0.5, 7.0}));
 }
+
+#ifdef SURPASS_PNG
+// The part of a row of a panel that is drawn, from the left to the first background: what is
+// behind everything does not change along a row.
+std::pair<unsigned, unsigned> first_drawn(const std::string& png, unsigned panel_width,
+                                          unsigned panel, unsigned y) {
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_memory(&image, png.data(), png.size()), 0);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(image));
+  EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr), 0);
+  const unsigned char* row = &pixels[std::size_t{3} * y * image.width];
+  const auto is_drawn = [&](unsigned x) {
+    const unsigned char* here = row + std::size_t{3} * (panel * panel_width + x);
+    return !std::equal(here, here + 3, row);
+  };
+  unsigned first = 0;
+  while (first < panel_width && !is_drawn(first)) ++first;
+  unsigned last = first;
+  while (last < panel_width && is_drawn(last)) ++last;
+  return {first, last};
+}
+
+TEST_F(RenderCommand, PanelsWithAndWithoutAScaleShowTheSameEquallyLarge) {
+  const std::vector<std::string> words = {kOctahedron, "--size", "260x240", "--levels", "3"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    report_of(all);
+    return slurp(folder_ / "x.png");
+  };
+  const std::string alone = with({"--style", "matte"});
+  const std::string sheet = with({"--style", "matte,curvature,error,reflection"});
+  const auto first = first_drawn(sheet, 260, 0, 120);
+  EXPECT_NE(first, first_drawn(alone, 260, 0, 120));
+  for (unsigned panel = 1; panel < 4; ++panel) {
+    EXPECT_EQ(first_drawn(sheet, 260, panel, 120), first) << panel;
+  }
+  report_of({kOctahedron, "--beside", kOctahedron, "--style", "error", "--against", kOctahedron,
+             "--size", "260x240"});
+  const std::string beside = slurp(folder_ / "x.png");
+  EXPECT_EQ(first_drawn(beside, 260, 0, 120), first_drawn(beside, 260, 1, 120));
+}
+#endif
 
 TEST_F(RenderCommand, PointsAreDrawnAndStandBesideMeshes) {
   const std::string points = folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");

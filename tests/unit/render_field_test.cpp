@@ -137,6 +137,49 @@ TEST(RenderField, TheScaleReadsAsTheSurfaceDoes) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(middle[k], there[k], 4);
 }
 
+// Columns between which something is drawn in a row, left of the strip.
+std::pair<int, int> extent(const Image& image, int y, int strip) {
+  int first = image.width;
+  int last = -1;
+  for (int x = 0; x < image.width - strip; ++x) {
+    if (!samples::is_drawn(image, x, y)) continue;
+    first = std::min(first, x);
+    last = x;
+  }
+  return {first, last};
+}
+
+TEST(RenderField, PicturesWithTheSameStripShowTheSameEquallyLarge) {
+  const Mesh ball = sphere(24, 12);
+  RenderOptions scaled =
+      with_field(from_front(300, 280), std::vector(ball.points.size(), 2.0), -1, 4);
+  scaled.field->legend = true;
+  scaled.field->title = "mean curvature";
+  const int needed = scale_width(scaled);
+  ASSERT_GT(needed, 60);
+  RenderOptions plain = from_front(300, 280);
+  EXPECT_EQ(scale_width(plain), 0);
+  const auto before = extent(draw(ball, plain), 140, 0);
+  EXPECT_NE(before, extent(draw(ball, scaled), 140, needed));
+  for (const int strip : {needed, needed + 25}) {
+    scaled.strip = plain.strip = strip;
+    const Image with = draw(ball, scaled);
+    for (const Shading shading : {Shading::matte, Shading::wireframe, Shading::reflection}) {
+      plain.shading = shading;
+      const Image without = draw(ball, plain);
+      EXPECT_EQ(without.width, 300);
+      for (const int y : {60, 140, 220}) {
+        EXPECT_EQ(extent(with, y, strip), extent(without, y, strip));
+        EXPECT_LT(extent(without, y, 0).second, 300 - strip);
+      }
+    }
+  }
+  for (const int wrong : {-1, 300}) {
+    plain.strip = wrong;
+    EXPECT_EQ(render(ball, plain).error().code, ErrorCode::invalid_argument);
+  }
+}
+
 TEST(RenderField, WhatIsNoNumberIsGreyAndWhatIsBeyondHasTheEndsColours) {
   ColourField field{.values = {}, .low = -1, .high = 1, .diverging = true};
   EXPECT_EQ(colour(field, -7), colour(field, -1));
