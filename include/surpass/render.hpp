@@ -57,7 +57,8 @@ struct RenderOptions {
 };
 
 /// The mesh on a plain light background, seen in perspective and fitted into the picture with a
-/// small border. Two pictures with the same `frame`, size and camera share a view.
+/// small border. Two pictures with the same `frame`, `point_radius`, `strip`, size and camera share
+/// a view.
 ///
 /// Fronts of faces (counterclockwise) are warm, backs cool. Smooth shading takes the vertex channel
 /// "normal", else face normals averaged by angle and, then, parted at edges above `crease_angle`;

@@ -84,12 +84,12 @@ Result<void> check_field(const Mesh& mesh, const RenderOptions& options) {
   return fail(ErrorCode::invalid_argument, "a field's scale must go from a number to a larger one");
 }
 
+// A frame that is given shall not depend on how many points there are: balls of a radius that is
+// chosen here fit into the free border.
 Camera aim(const Mesh& mesh, const DisplayMesh& display, const RenderOptions& options) {
-  std::vector<Point> fitted = options.frame;
-  if (fitted.empty()) {
-    fitted = picture::drawn_points(mesh, display);
-    fitted.insert(fitted.end(), options.points.begin(), options.points.end());
-  }
+  if (!options.frame.empty()) return Camera(options.frame, options.point_radius, options);
+  std::vector<Point> fitted = picture::drawn_points(mesh, display);
+  fitted.insert(fitted.end(), options.points.begin(), options.points.end());
   return Camera(fitted, ball_radius(options), options);
 }
 

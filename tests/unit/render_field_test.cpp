@@ -180,6 +180,15 @@ TEST(RenderField, PicturesWithTheSameStripShowTheSameEquallyLarge) {
   }
 }
 
+TEST(RenderField, MarkedPointsDoNotChangeAGivenFrame) {
+  const Mesh ball = sphere(24, 12);
+  RenderOptions options = from_front(300, 280);
+  options.frame = ball.points;
+  const auto without = extent(draw(ball, options), 140, 0);
+  options.points = {{0, 0, 0}};  // hidden inside
+  EXPECT_EQ(extent(draw(ball, options), 140, 0), without);
+}
+
 TEST(RenderField, WhatIsNoNumberIsGreyAndWhatIsBeyondHasTheEndsColours) {
   ColourField field{.values = {}, .low = -1, .high = 1, .diverging = true};
   EXPECT_EQ(colour(field, -7), colour(field, -1));
