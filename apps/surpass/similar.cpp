@@ -209,7 +209,7 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common, c
       "topology", [&] { return SimilarityInterpolator::create(given, options_, session.context); });
   if (!solver) return tl::make_unexpected(solver.error());
   solver_ = std::move(*solver);
-  if (auto loaded = load_reference(given, session); !loaded) return loaded;
+  if (auto read = load_reference(given, session); !read) return read;
   return make_reference(given, session);
 }
 

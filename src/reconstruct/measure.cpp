@@ -49,7 +49,8 @@ Sample sample_at(std::span<const Point> points, Index i, std::span<const Index> 
                  double spacing) {
   constexpr double kLeastSpace = 0.5;  // less is scatter
   const Sheets sheets = tell_sheets(points, i, near, kLeastSpace * spacing);
-  Sample sample{.sheet = sheets.distance};
+  Sample sample;
+  sample.sheet = sheets.distance;
   if (sheets.own.size() < kNear) return sample;
   sample.near = unbiased_deviation(points, i, std::span(sheets.own).first(kNear));
   sample.wide = unbiased_deviation(points, i, sheets.own);
