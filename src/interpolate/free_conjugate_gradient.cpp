@@ -123,26 +123,37 @@ void move(const FreeSystem& system, double length, std::span<const double> direc
 }  // namespace
 
 FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
-                               std::span<double> gradient, std::span<double> x) {
+                               std::vector<double> first, std::span<double> gradient,
+                               std::span<double> x) {
   if (system.constraints != nullptr) system.constraints->clear(gradient);
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
   const FreePreconditioner preconditioner(system);
   const Precision precision = precision_for(system, preconditioner, stop.tolerance);
-  std::vector<double> direction(system.size());
+  std::vector<double> direction = std::move(first);
   std::vector<double> image(system.size());
-  double rho = descend(system, preconditioner, 0, image, gradient).rho;
-  turn(system, preconditioner, 0, 0, gradient, direction, x);
-  while (rho > 0 && progress.goes_on()) {
-    const double curvature = system.product(precision, direction, image);
-    if (!(curvature > 0)) break;  // nothing is left but what the energy does not see
-    const double length = rho / curvature;
+  const auto go = [&](double length) {
     Lengths now = descend(system, preconditioner, length, image, gradient);
     if (system.constraints != nullptr) {
       system.constraints->clear(gradient);
       now = descend(system, preconditioner, 0, image, gradient);
     }
     progress.note(now.squared);
+    return now;
+  };
+  if (system.constraints != nullptr) system.constraints->keep(direction);
+  if (const double curvature = system.product(precision, direction, image); curvature > 0) {
+    const double length = -system.dot(direction, gradient) / curvature;
+    go(length);
+    move(system, length, direction, x);
+  }
+  double rho = descend(system, preconditioner, 0, image, gradient).rho;
+  turn(system, preconditioner, 0, 0, gradient, direction, x);
+  while (rho > 0 && progress.goes_on()) {
+    const double curvature = system.product(precision, direction, image);
+    if (!(curvature > 0)) break;  // nothing is left but what the energy does not see
+    const double length = rho / curvature;
+    const Lengths now = go(length);
     if (progress.reached()) {
       move(system, length, direction, x);
       break;

@@ -57,11 +57,13 @@ struct FreeOutcome {
 };
 
 /// Brings `x` to where the gradient vanishes by a change that is extended; `gradient` is that at
-/// the start and is overwritten. Points that no derivative sees stay. Conjugate gradients,
-/// preconditioned by the diagonal blocks of the energy. With constraints, where its part along them
+/// the start and is overwritten. The first iteration goes along `first` as far as the energy falls;
+/// from there conjugate gradients, preconditioned by the diagonal blocks of the energy. Points that
+/// neither moves stay. With constraints, where its part along them
 /// vanishes: Gould, Hribar, Nocedal, On the solution of equality constrained quadratic programming
 /// problems arising in optimization, 2001, algorithm 6.2.
 [[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
+                                             std::vector<double> first,
                                              std::span<double> gradient, std::span<double> x);
 
 /// The same for a change that starts at 0 (extended; ends so), by Gauss and Seidel's sweeps over

@@ -136,14 +136,32 @@ std::vector<double> gradient_at(const SimilarityPrepared& prepared, const FreeSy
   return gradient;
 }
 
+// Where a step of progressive interpolation leads: what the reference misses the given points by,
+// added to its control mesh before the refinement. Far from a vertex little moves at once, and what
+// is left to do is local.
+std::vector<double> progressive_step(const SimilarityPrepared& prepared, const FreeSystem& system,
+                                     std::span<const double> reference,
+                                     std::span<const double> given) {
+  const std::size_t width = system.width;
+  std::vector<double> missed(given.size());
+  system.elimination.limits().apply(system.context, width, reference, missed);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const bool released = system.elimination.dependent(static_cast<Index>(i / width)) == kNone;
+    missed[i] = released ? 0 : given[i] - missed[i];
+  }
+  return refine_given(prepared, width, missed, system.context);
+}
+
 // x = the reference where points are free, moved to where the energy is least; in units.
 FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& system,
-                     std::span<const double> reference, std::span<double> x) {
+                     std::span<const double> reference, std::span<const double> given,
+                     std::span<double> x) {
   std::vector<double> gradient = gradient_at(prepared, system, reference, x);
   if (gradient.empty()) return {};
   const StopAt stop{prepared.options.solver_tolerance, prepared.options.max_iterations};
   if (prepared.options.solver != SimilaritySolver::gauss_seidel) {
-    return conjugate_gradient(system, stop, gradient, x);
+    return conjugate_gradient(system, stop, progressive_step(prepared, system, reference, given),
+                              gradient, x);
   }
   std::vector<double> change(x.size(), 0.0);
   FreeOutcome outcome = gauss_seidel(system, *prepared.layout, stop, gradient, change);
@@ -189,7 +207,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
     found.redundant = system.constraints->redundant();
   }
   if (options.max_iterations > 0) {
-    found.outcome = minimise(prepared, system, found.reference, found.values);
+    found.outcome = minimise(prepared, system, found.reference, given, found.values);
   }
   if (found.outcome.cancelled) return fail(ErrorCode::cancelled, "cancelled while solving");
   units->leave(context, found.values);

@@ -117,6 +117,42 @@ TEST(Similarity, WithoutIterationsFreeVerticesAreTheReferences) {
   }
 }
 
+// The first iteration moves all free points along one field: a step of progressive interpolation.
+TEST(Similarity, TheFirstStepIsProgressive) {
+  const Mesh mesh = test::jittered(test::quad_grid(9, 7));
+  const Rules rules = {Scheme::catmull_clark};
+  for (const Similarity similarity :
+       {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+    SimilarityOptions options;
+    options.similarity = similarity;
+    options.max_iterations = 1;
+    const auto solver = SimilarityInterpolator::create(mesh, options).value();
+    const auto reference = solver.reference(mesh.points).value();
+    const auto moved = solver.solve(mesh.points).value().points;
+    const auto limits = solver.limit_positions(reference).value();
+    Mesh missed = mesh;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      for (std::size_t c = 0; c < 3; ++c) missed.points[v][c] -= limits[v][c];
+    }
+    const std::vector<Point> step = refine(missed, rules, 1).value().points;
+    double along = 0;
+    double square = 0;
+    for (std::size_t j = mesh.points.size(); j < step.size(); ++j) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        along += step[j][c] * (moved[j][c] - reference[j][c]);
+        square += step[j][c] * step[j][c];
+      }
+    }
+    EXPECT_GT(along / square, 0.5);
+    EXPECT_LT(along / square, 4);
+    for (std::size_t j = mesh.points.size(); j < step.size(); ++j) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_NEAR(moved[j][c], reference[j][c] + along / square * step[j][c], 1e-12);
+      }
+    }
+  }
+}
+
 TEST(Similarity, ChannelsAreInterpolatedAlong) {
   Mesh mesh = test::jittered(test::quad_grid(4, 3));
   Channel colour{"color", {"r", "g"}, {}};
