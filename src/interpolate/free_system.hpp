@@ -63,8 +63,8 @@ struct FreeOutcome {
 /// vanishes: Gould, Hribar, Nocedal, On the solution of equality constrained quadratic programming
 /// problems arising in optimization, 2001, algorithm 6.2.
 [[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
-                                             std::vector<double> first,
-                                             std::span<double> gradient, std::span<double> x);
+                                             std::vector<double> first, std::span<double> gradient,
+                                             std::span<double> x);
 
 /// The same for a change that starts at 0 (extended; ends so), by Gauss and Seidel's sweeps over
 /// the assembled matrix, on one thread (Lai and Cheng 2006, section 2.4). With constraints each
