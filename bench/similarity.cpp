@@ -1,5 +1,5 @@
 // Interpolation by similarity on quads, from file to file as the paper's times are told, to its
-// tolerance 1e-2: how it grows, what it holds in memory, and which solver is faster.
+// tolerance 1e-2 and to 1e-6: how it grows, what it holds in memory, and which solver is faster.
 #include <surpass/io.hpp>
 #include <surpass/quality.hpp>
 
@@ -34,10 +34,22 @@ struct SimilarityRun {
   std::shared_ptr<const QuadFiles> files;
   std::string form;
   std::string solver;
+  std::string tolerance;
   [[nodiscard]] std::vector<std::string> arguments() const {
-    return {"interpolate",   files->obj, "-o",         files->control(), "--scheme",
-            "catmull-clark", "--method", "similarity", "--similarity",   form,
-            "--solver",      solver};
+    return {"interpolate",
+            files->obj,
+            "-o",
+            files->control(),
+            "--scheme",
+            "catmull-clark",
+            "--method",
+            "similarity",
+            "--similarity",
+            form,
+            "--solver",
+            solver,
+            "--solver-tolerance",
+            tolerance};
   }
 };
 
@@ -54,19 +66,23 @@ Verdict judge_similarity(const Workload& workload, const SimilarityRun& run) {
                   static_cast<double>(given.points.size())};
 }
 
+constexpr char kLoose[] = "1e-2";
+
 void add_run(Harness& harness, Index side, const std::string& form, const std::string& solver,
-             const std::string& tool) {
+             const std::string& tolerance, const std::string& tool) {
   harness.add(
-      {.step = "similarity, " + form,
+      {.step = "similarity, " + form + (tolerance == kLoose ? "" : ", to " + tolerance),
        .tool = tool,
        .counted =
            "surpass interpolate --method similarity, OBJ of quads in, binary PLY out, solver "
-           "tolerance 1e-2; a process of its own",
+           "tolerance " +
+           tolerance + "; a process of its own",
        .slow = true},
       side,
-      [form, solver, tool](const Workload& w) {
-        const std::string path = w.obj() + "." + form + "." + solver + ".obj";
-        const SimilarityRun run{std::make_shared<const QuadFiles>(w.quads(), path), form, solver};
+      [form, solver, tolerance](const Workload& w) {
+        const std::string path = w.obj() + "." + form + "." + solver + "." + tolerance + ".obj";
+        const SimilarityRun run{std::make_shared<const QuadFiles>(w.quads(), path), form, solver,
+                                tolerance};
         return [run] {
           run_program(run.arguments());
           return run;
@@ -80,9 +96,11 @@ void add_run(Harness& harness, Index side, const std::string& form, const std::s
 void add_similarity(Harness& harness, Index side) {
   constexpr Index kMostAssembled = 32;  // seconds and a gigabyte at ten times as many faces
   for (const char* form : {"vectors", "directions"}) {
-    add_run(harness, side, form, "conjugate-gradient", "Surpass");
-    if (side > kMostAssembled) continue;
-    add_run(harness, side, form, "gauss-seidel", "Surpass, Gauss-Seidel");
+    for (const char* tolerance : {kLoose, "1e-6"}) {
+      add_run(harness, side, form, "conjugate-gradient", tolerance, "Surpass");
+      if (side > kMostAssembled) continue;
+      add_run(harness, side, form, "gauss-seidel", tolerance, "Surpass, Gauss-Seidel");
+    }
   }
 }
 
