@@ -28,9 +28,10 @@ class Quality : public Command {
         .type_name("...");
     add_from(options, from_, "Format of the input that is '-'");
     options
-        .add("--reference", reference_path_,
-             "A control mesh with the same faces, or with those of a refined one; the angles "
-             "between its normals and those of each MESH are measured, too")
+        .add(
+            "--reference", reference_path_,
+            "A control mesh with the same faces, or with those of a refined one; hole faces do not "
+            "count. The angles between its normals and those of each MESH are measured, too")
         .type_name("MESH2")
         .group("Input");
     rules_.define(options, true);
@@ -144,9 +145,9 @@ class Quality : public Command {
   // As many for each as give the same patches: methods differ in how fine their control meshes are.
   Result<std::vector<int>> levels_of(const std::vector<Mesh>& meshes,
                                      const std::optional<Mesh>& reference) const {
-    const Mesh& coarsest = *std::min_element(
-        meshes.begin(), meshes.end(),
-        [](const Mesh& a, const Mesh& b) { return a.corner_count() < b.corner_count(); });
+    const Mesh& coarsest =
+        *std::min_element(meshes.begin(), meshes.end(),
+                          [](const Mesh& a, const Mesh& b) { return level_difference(a, b) < 0; });
     int finest = 0;
     for (const Mesh& mesh : meshes) finest = std::max(finest, level_difference(mesh, coarsest));
     if (reference) finest = std::max(finest, level_difference(*reference, coarsest));

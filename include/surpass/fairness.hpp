@@ -84,12 +84,12 @@ struct NormalDeviation {
   double max = 0;             ///< degrees
 };
 
-/// The fewest refinements, 3 or more, that give 200 000 patches; fewer than 3 where there would be
-/// more than 8 million.
+/// The fewest refinements, 3 or more, that give 200 000 patches; fewer where there would be more
+/// than 8 million, hole faces counted.
 [[nodiscard]] int fairness_levels(const Mesh& control);
 
 /// Refinements by which `second` needs more than `first` for as many patches: 1 where first is as
-/// second refined once.
+/// second refined once. Hole faces do not count.
 [[nodiscard]] int level_difference(const Mesh& first, const Mesh& second);
 
 /// Refines the control mesh, takes exact limit positions, first and second derivatives at every
@@ -131,8 +131,9 @@ struct FairestShape {
                                                  const Context& context = {});
 
 /// Compares with the limit surface of `reference`, whose faces must be those of `control`, or
-/// become those when one of them is refined more often than the other; `options.levels` are those
-/// of `control`. Errors: as fairness; `mismatch` for other faces.
+/// become those when one of them is refined more often than the other; hole faces, and vertices
+/// that only they use, do not count. `options.levels` are those of `control`. Errors: as fairness;
+/// `mismatch` for other faces.
 [[nodiscard]] Result<NormalDeviation> normal_deviation(const Mesh& control, const Mesh& reference,
                                                        const Rules& rules,
                                                        const FairnessOptions& options = {},

@@ -61,23 +61,36 @@ void find_extremes(const SampledSurface& surface, const MeasuredPart& part, Fair
 
 }  // namespace
 
+namespace {
+
+// Hole faces make no patches: a ring of them would make a mesh look finer than it is.
+double visible_corners(const Mesh& mesh) {
+  std::size_t hidden = 0;
+  for (const Index f : mesh.hole_faces) hidden += mesh.face(f).size();
+  return std::max(1.0, static_cast<double>(mesh.corner_count() - hidden));
+}
+
+}  // namespace
+
 int fairness_levels(const Mesh& control) {
   constexpr double kEnough = 200'000;
   constexpr double kMost = 8'000'000;
   constexpr int kFewest = 3;
-  // The first refinement makes a face or so of each corner, further ones four of each face.
-  double patches = std::max(1.0, static_cast<double>(control.corner_count()));
+  // The first refinement makes a face or so of each corner, further ones four of each face. Hole
+  // faces are refined, too, and take as much memory.
+  double patches = visible_corners(control);
+  double faces = std::max(1.0, static_cast<double>(control.corner_count()));
   int levels = 1;
-  while ((levels < kFewest && 4 * patches <= kMost) || patches < kEnough) {
+  while ((levels < kFewest || patches < kEnough) && 4 * faces <= kMost) {
     patches *= 4;
+    faces *= 4;
     ++levels;
   }
   return levels;
 }
 
 int level_difference(const Mesh& first, const Mesh& second) {
-  const double ratio = static_cast<double>(std::max<Index>(1, first.corner_count())) /
-                       static_cast<double>(std::max<Index>(1, second.corner_count()));
+  const double ratio = visible_corners(first) / visible_corners(second);
   return static_cast<int>(std::lround(std::log2(ratio) / 2));
 }
 

@@ -110,6 +110,32 @@ TEST(Quality, PutsSurfacesOfDifferentLevelsSideBySide) {
   }
 }
 
+// Both results and the given mesh itself, in any order: as many patches of each, and angles.
+TEST(Quality, ADummyRingIsNoPartOfTheSurface) {
+  const TempFolder folder;
+  const std::string given = data("quad_patch.ply");
+  const std::string ring = folder / "ring.ply";
+  const std::string plain = folder / "plain.ply";
+  for (const auto& [path, open] :
+       {std::pair(ring, "dummy-ring"), std::pair(plain, "boundary-rules")}) {
+    ASSERT_EQ(surpass({"interpolate", given, "-o", path, "--method", "similarity", "--scheme",
+                       "catmull-clark", "--open", open})
+                  .status,
+              0);
+  }
+  const json report = report_of({"quality", ring, plain, given, "--scheme", "catmull-clark",
+                                 "--reference", given, "--levels", "4"});
+  const json& surfaces = report["surfaces"];
+  EXPECT_EQ(surfaces[0]["levels"], 3);
+  EXPECT_EQ(surfaces[1]["levels"], 3);
+  EXPECT_EQ(surfaces[2]["levels"], 4);
+  for (const json& surface : surfaces) {
+    EXPECT_EQ(surface["coverage"]["patches"], surfaces[0]["coverage"]["patches"]);
+    EXPECT_TRUE(surface.contains("normal_deviation"));
+  }
+  EXPECT_EQ(surfaces[2]["normal_deviation"]["max"], 0);
+}
+
 void expect_failure(std::vector<std::string> words, int status, const std::string& sentence) {
   words.insert(words.begin(), "quality");
   const Outcome outcome = surpass(words);

@@ -1,4 +1,6 @@
 // What fairness leaves out, what it refuses, and angles to a reference.
+#include <surpass/similarity.hpp>
+
 #include <algorithm>
 #include <set>
 
@@ -258,6 +260,67 @@ TEST(NormalDeviation, TakesAReferenceThatIsRefinedMoreOrLess) {
     ASSERT_FALSE(few);
     EXPECT_EQ(few.error().code, ErrorCode::invalid_argument);
   }
+}
+
+// A dome, whose normals turn by some 70 degrees from side to side.
+Mesh dome() {
+  Mesh mesh = flat_grid();
+  for (Point& p : mesh.points) {
+    const double x = p[0] - 4;
+    const double y = p[1] - 4;
+    p[2] = -(x * x + y * y) / 12;
+  }
+  return mesh;
+}
+
+Mesh similar(const Mesh& given, OpenMeshes open) {
+  SimilarityOptions options;
+  options.open = open;
+  return interpolate_similar(given, options)->control;
+}
+
+TEST(FairnessPart, ARingOfHolesIsNoFinerMesh) {
+  const Rules rules{Scheme::catmull_clark};
+  Mesh given = test::quad_grid(3, 3);
+  const Mesh plain = similar(given, OpenMeshes::boundary_rules);
+  const Mesh ring = similar(given, OpenMeshes::dummy_ring);
+  ASSERT_EQ(ring.hole_faces.size(), ring.corner_count() / 4 - plain.corner_count() / 4);
+  EXPECT_EQ(level_difference(ring, plain), 0);
+  EXPECT_EQ(level_difference(ring, given), 1);
+  EXPECT_EQ(level_difference(given, ring), -1);
+  EXPECT_EQ(fairness_levels(ring), fairness_levels(plain));
+  EXPECT_EQ(fairness(ring, rules, {.levels = 3})->coverage.patches,
+            fairness(plain, rules, {.levels = 3})->coverage.patches);
+  // They cost what other faces cost, though.
+  Mesh hidden = Torus{}.mesh(Scheme::catmull_clark, 1000, 500);
+  for (Index f = 1; f < hidden.face_count(); ++f) hidden.hole_faces.push_back(f);
+  EXPECT_EQ(fairness_levels(hidden), 2);
+}
+
+TEST(NormalDeviation, HoleFacesDoNotCount) {
+  const Rules rules{Scheme::catmull_clark};
+  const Mesh given = dome();
+  const Mesh plain = similar(given, OpenMeshes::boundary_rules);
+  const Mesh ring = similar(given, OpenMeshes::dummy_ring);
+  ASSERT_NE(ring.face_count(), plain.face_count());
+  for (const Mesh* reference : {&plain, &given}) {
+    const int further = reference == &given ? 1 : 0;
+    const auto there = normal_deviation(ring, *reference, rules, {.levels = 3});
+    ASSERT_TRUE(there) << describe(there.error());
+    const auto back = normal_deviation(*reference, ring, rules, {.levels = 3 + further}).value();
+    EXPECT_EQ(there->coverage.measured_patches, back.coverage.measured_patches);
+    EXPECT_GT(there->max, 0);
+    EXPECT_EQ(there->max, back.max);
+    // Between samples that are no partners there are up to 70 degrees.
+    EXPECT_LT(there->mean, 1);
+    EXPECT_LT(there->max, 10);
+  }
+  const Mesh finer = refine(ring, rules, 1).value();
+  EXPECT_LT(normal_deviation(ring, finer, rules, {.levels = 3})->max, 1e-9);
+  // Where all faces are the same it does not matter which of them are hidden in the reference.
+  Mesh shown = ring;
+  shown.hole_faces.clear();
+  EXPECT_LT(normal_deviation(ring, shown, rules, {.levels = 3})->max, 1e-9);
 }
 
 TEST(NormalDeviation, RefusesOtherFaces) {
