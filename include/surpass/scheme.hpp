@@ -82,7 +82,9 @@ void forget_rules(Mesh& mesh);
                                   const Context& context = {});
 
 /// The refined mesh moved onto the limit surface, with the limit normals in channel "normal", and
-/// without hole faces.
+/// without hole faces. Vertices that only these use go with them, but for those of `control`, by
+/// whose numbers a surface is compared; where `control` is annotated "refined" = "1" for
+/// Catmull-Clark, only the given ones among these stay.
 /// Doo-Sabin, from level 1: the dual of the refined mesh, whose vertices lie on the limit surface,
 /// the given vertices' limits first and in order; without corner channels, face data and creases.
 [[nodiscard]] Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels,

@@ -49,8 +49,9 @@ struct Selection {
 /// which the faces at the edge now lie. O(#corners + #copies log #copies) and the size of the rest.
 [[nodiscard]] Mesh select(const Mesh& mesh, Selection selection);
 
-/// Without hole faces and the vertices that only they use; the first `kept` vertices stay in any
-/// case.
+/// Without hole faces and the vertices that only they use; the first `kept` vertices, or those that
+/// are marked in `kept` (#V or fewer), stay in any case.
 [[nodiscard]] Selection visible_part(const Mesh& mesh, Index kept);
+[[nodiscard]] Selection visible_part(const Mesh& mesh, std::vector<unsigned char> kept);
 
 }  // namespace surpass

@@ -245,11 +245,32 @@ Result<Mesh> SubdivisionScheme::limit_mesh(const Mesh& control, const Rules& rul
   return mesh;
 }
 
+namespace {
+
+// Control vertices that stay in a surface though nothing of it is drawn at them: a written surface
+// is compared with the given vertices by their numbers, which come first. On a mesh that was
+// refined once, the given vertices are the first corners of its quads, and those without faces. The
+// others there that are not drawn may be dummies, far from the surface.
+std::vector<unsigned char> kept_vertices(const Mesh& control, const Rules& rules) {
+  const bool quads = rules.scheme == Scheme::catmull_clark &&
+                     control.annotation("refined") == "1" &&
+                     control.corner_count() == 4 * static_cast<std::size_t>(control.face_count());
+  if (!quads) return std::vector<unsigned char>(control.vertex_count(), 1);
+  std::vector<unsigned char> used(control.vertex_count(), 0);
+  for (const Index v : control.face_vertices) used[v] = 1;
+  std::vector<unsigned char> kept(control.vertex_count(), 0);
+  for (Index v = 0; v < control.vertex_count(); ++v) kept[v] = used[v] == 0 ? 1 : 0;
+  for (Index f = 0; f < control.face_count(); ++f) kept[control.face(f).front()] = 1;
+  return kept;
+}
+
+}  // namespace
+
 Result<Mesh> limit_mesh(const Mesh& control, const Rules& rules, int levels, const Context& context,
                         Steps& steps) {
   auto mesh = scheme_of(rules.scheme).limit_mesh(control, rules, levels, context, steps);
   if (!mesh || mesh->hole_faces.empty()) return mesh;
-  Selection visible = visible_part(*mesh, control.vertex_count());
+  Selection visible = visible_part(*mesh, kept_vertices(control, rules));
   steps.pick(visible.vertex_source, context);
   return select(*mesh, std::move(visible));
 }

@@ -3,6 +3,7 @@
 #include <surpass/similarity.hpp>
 
 #include <numeric>
+#include <set>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -317,6 +318,28 @@ TEST(Similarity, InsideADummyRingIsTheDenseSolution) {
   }
 }
 
+// A written surface is compared with the given vertices by their numbers: also one without faces,
+// and those of the given mesh's own holes.
+TEST(Similarity, ADrawnSurfaceBeginsWithTheGivenVertices) {
+  Mesh mesh = test::jittered(test::quad_grid(5, 4));
+  mesh.hole_faces = {0, 11};  // at opposite corners
+  mesh.points.push_back({9, 9, 9});
+  for (const OpenMeshes open : {OpenMeshes::boundary_rules, OpenMeshes::dummy_ring}) {
+    SimilarityOptions options;
+    options.open = open;
+    const Mesh control = interpolate_similar(mesh, options)->control;
+    for (const int levels : {0, 1, 2}) {
+      const Mesh drawn = limit_mesh(control, options.rules, levels).value();
+      ASSERT_GE(drawn.points.size(), mesh.points.size());
+      const std::vector<Point> first(drawn.points.begin(),
+                                     drawn.points.begin() + std::ssize(mesh.points));
+      EXPECT_LT(test::max_distance(first, mesh.points), 1e-13);
+      const std::set<Index> used(drawn.face_vertices.begin(), drawn.face_vertices.end());
+      EXPECT_EQ(drawn.vertex_count() - used.size(), 3U) << name_of(open);
+    }
+  }
+}
+
 // Nothing of the surface depends on the rule at the outer boundary, and closed meshes have no ring.
 TEST(Similarity, TheDummyRingReplacesBoundaryRules) {
   Mesh mesh = test::jittered(test::quad_grid(5, 4));
@@ -332,6 +355,8 @@ TEST(Similarity, TheDummyRingReplacesBoundaryRules) {
   EXPECT_LT(one.report.solve.final.max, 1e-14);
   const Mesh drawn = limit_mesh(one.control, options.rules, 1).value();
   EXPECT_EQ(drawn.face_count(), 4 * 4 * 12) << "the surface alone";
+  std::set<Index> used(drawn.face_vertices.begin(), drawn.face_vertices.end());
+  EXPECT_EQ(used.size(), drawn.vertex_count()) << "and no dummies";
   const Mesh closed = test::jittered(test::prism(5));
   const auto with = interpolate_similar(closed, options).value();
   options.open = OpenMeshes::boundary_rules;
