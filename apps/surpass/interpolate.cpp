@@ -440,6 +440,7 @@ Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   const auto surface = surface_.make(control, options_.rules, session);
   if (!surface) return tl::make_unexpected(surface.error());
   if (const auto written = output_.write(control, session); !written) return written;
+  similar_.note_drawn_ring(output_, session);
   if (const auto written = surface_.write(*surface, output_, session); !written) return written;
   return similar_.write_reference(output_, session);
 }

@@ -148,6 +148,23 @@ Result<void> Similar::check(Method method) const {
   return {};
 }
 
+void Similar::note_ring(Session& session) const {
+  session.console.note(fmt::format(
+      "a normal or derivative is required on the boundary, where boundary rules would bulge, so "
+      "the mesh is in a ring of dummy faces, which are not drawn: the last {} of the control "
+      "mesh, hole faces. Choose by --open",
+      ring_faces_));
+}
+
+void Similar::note_drawn_ring(const MeshOutput& output, Session& session) const {
+  const bool drawn = output.format() == Format::off || output.format() == Format::stl;
+  if (ring_faces_ == 0 || !drawn) return;
+  session.console.note(
+      fmt::format("the ring of {} dummy faces is drawn like the surface in '{}'; write OBJ or "
+                  "PLY, or take --open boundary-rules",
+                  ring_faces_, output.path()));
+}
+
 Result<void> Similar::load_reference(const Mesh& given, Session& session) {
   if (reference_path_.empty()) return {};
   Result<LoadedMesh> loaded = load_mesh(reference_path_, Format::automatic, session);
@@ -209,6 +226,10 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common, c
       "topology", [&] { return SimilarityInterpolator::create(given, options_, session.context); });
   if (!solver) return tl::make_unexpected(solver.error());
   solver_ = std::move(*solver);
+  if (options_.open == OpenMeshes::dummy_ring) {
+    ring_faces_ = solver_->refined().face_count() - given.corner_count();
+  }
+  if (better_around && !open_) note_ring(session);
   if (auto read = load_reference(given, session); !read) return read;
   return make_reference(given, session);
 }

@@ -46,6 +46,9 @@ class Similar {
   [[nodiscard]] Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given,
                                           Session& session) const;
 
+  /// For a control mesh that was written: whether its ring of dummies is lost there as such.
+  void note_drawn_ring(const MeshOutput& output, Session& session) const;
+
   /// Writes the reference, if it is asked for.
   [[nodiscard]] Result<void> write_reference(const MeshOutput& output, Session& session) const;
 
@@ -57,6 +60,7 @@ class Similar {
  private:
   [[nodiscard]] Result<void> load_reference(const Mesh& given, Session& session);
   [[nodiscard]] Result<void> make_reference(const Mesh& given, Session& session);
+  void note_ring(Session& session) const;
 
   std::optional<Similarity> form_;
   std::optional<RowWeights> row_weights_;
@@ -70,6 +74,7 @@ class Similar {
   std::vector<Point> reference_;   ///< of one's own, as read
   std::optional<Mesh> resembled_;  ///< refined and stretched, where it is to be written
   std::optional<SimilarityInterpolator> solver_;
+  Index ring_faces_ = 0;  ///< of the control mesh, its last
   Option thin_plate_;
   Option membrane_;
   Option samples_;

@@ -26,7 +26,10 @@ void note_losses(const Mesh& mesh, const Holds& holds, Notes& notes) {
   };
   note(holds.sharpness, mesh.creases.size(), "creases");
   note(holds.sharpness, mesh.corners.size(), "sharp corners");
-  note(holds.holes, mesh.hole_faces.size(), "hole faces");
+  if (!holds.holes && !mesh.hole_faces.empty()) {
+    notes.push_back(fmt::format("{} has no place for hole faces; {} are like other faces there",
+                                holds.format, mesh.hole_faces.size()));
+  }
   note(holds.tags, mesh.tags.size(), "OpenSubdiv's tags");
   note(holds.face_sets, mesh.face_sets.size(), "groups, objects and materials");
   note(holds.materials, mesh.material_libraries.size(), "material libraries");

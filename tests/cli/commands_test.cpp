@@ -94,6 +94,37 @@ TEST(Interpolate, SimilarityHasASurfaceWherePlainInterpolationHasNone) {
   EXPECT_NEAR(control.points[6][0], 2.5744505853472, 1e-11);
 }
 
+// The ring of dummies is told of where it was not asked for, and where a file cannot tell it from
+// the surface.
+TEST(Interpolate, NobodyGetsADummyRingUnawares) {
+  const TempFolder folder;
+  const std::string given =
+      folder.file("grid.off",
+                  "OFF\n9 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n"
+                  "4 0 1 4 3\n4 1 2 5 4\n4 3 4 7 6\n4 4 5 8 7\n");
+  const std::string wish =
+      folder.file("wish.json", R"({"requirements": [{"vertex": 0, "normal": [0, 0.2, 1]}]})");
+  const auto notes = [&](const std::string& control, const Words& more) {
+    Words words = {"interpolate", given, "-o", control, "--method", "similarity"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = surpass(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto told = [&](const char* words_of_it) {
+      return outcome.err.find(words_of_it) != std::string::npos;
+    };
+    return std::pair(told("the last 16 of the control mesh"),
+                     told("the ring of 16 dummy faces is drawn like the surface"));
+  };
+  const std::string ply = folder / "c.ply";
+  const std::string off = folder / "c.off";
+  EXPECT_EQ(notes(ply, {"--requirements", wish}), std::pair(true, false));
+  EXPECT_EQ(notes(off, {"--requirements", wish}), std::pair(true, true));
+  EXPECT_EQ(notes(off, {"--requirements", wish, "--open", "dummy-ring"}), std::pair(false, true));
+  EXPECT_EQ(notes(off, {"--requirements", wish, "--open", "boundary-rules"}),
+            std::pair(false, false));
+  EXPECT_EQ(notes(off, {}), std::pair(false, false));
+}
+
 // On Doo-Sabin surfaces no vertex of the control mesh stands for a given one: `check` finds its
 // face by the given mesh's faces, in every format that keeps them, and sees a vertex that has
 // moved.
