@@ -189,17 +189,20 @@ Option Options::flag(const std::string& name, bool& target, const std::string& d
 
 Option Options::choice_of_words(const std::string& name, const std::vector<std::string>& words,
                                 const std::function<void(std::size_t)>& store,
-                                const std::string& description) {
+                                const std::string& description, const std::string& rival) {
   const auto number_of = [words](const std::string& word) {
     return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
   };
   const auto take = [number_of, store](const std::string& word) { store(number_of(word)); };
   CLI::Option* option = app_->add_option_function<std::string>(name, take, description);
   option->type_name(fmt::format("{}", fmt::join(words, "|")));
-  return checked(option, [number_of, words](const std::string& word) -> std::string {
+  const CLI::App* app = app_.get();
+  return checked(option, [number_of, words, rival, app](const std::string& word) -> std::string {
     if (number_of(word) < words.size()) return {};
-    return fmt::format("'{}' is not one of {}{}", word, fmt::join(words, ", "),
-                       suggestion(word, words));
+    const bool has_rival = !rival.empty() && app->get_option_no_throw(rival) != nullptr;
+    return fmt::format("'{}' is not one of {}{}{}", word, fmt::join(words, ", "),
+                       suggestion(word, words),
+                       has_rival ? fmt::format("; is {} meant?", rival) : "");
   });
 }
 

@@ -74,10 +74,11 @@ class Options {
     return choice(name, target, std::vector<Value>(choices), description);
   }
 
-  /// Stores the number of the word that is given.
+  /// Stores the number of the word that is given. The error for another word asks whether `rival`
+  /// is meant, if the command has such an option.
   Option choice_of_words(const std::string& name, const std::vector<std::string>& words,
                          const std::function<void(std::size_t)>& store,
-                         const std::string& description);
+                         const std::string& description, const std::string& rival = {});
 
   /// Printed under the options.
   void examples(const std::string& text);

@@ -101,7 +101,9 @@ void RulesOption::define(Options& options, bool nonstationary) {
                       "Clark 1978, the reconstruction paper's) or cosine (Doo and Sabin 1978); by "
                       "default what the file records, else averaging") +
               (nonstationary ? ". Of nonstationary-loop: warren (default) or classic (Loop 1987)"
-                             : ""))
+                             : "") +
+              ". Not those of --similarity directions, which are interpolate's --row-weights",
+          "--row-weights")
       .group("Surface");
 }
 

@@ -137,9 +137,12 @@ Result<void> Similar::check(Method method) const {
     const bool fits =
         (method == Method::similarity && rule.similarity) || (method == Method::fair && rule.fair);
     if (!rule.given || fits) continue;
+    const char* methods = !rule.similarity ? "fair"
+                          : rule.fair      ? "similarity or fair"
+                                           : "similarity";
     return fail(ErrorCode::invalid_argument,
                 fmt::format("{} says nothing of the method {}; it is for --method {}", rule.name,
-                            name_of(method), rule.similarity ? "similarity" : "fair"));
+                            name_of(method), methods));
   }
   if (row_weights_ && form_ != Similarity::directions) {
     return fail(ErrorCode::invalid_argument,

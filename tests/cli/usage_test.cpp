@@ -66,7 +66,11 @@ TEST(Usage, OptionsOfAnotherMethodAreRefused) {
     more.insert(more.begin(), start.begin(), start.end());
     expect_usage_error(more, sentence);
   };
-  expect({"--similarity", "vectors"}, "--similarity says nothing of the method progressive");
+  expect({"--similarity", "vectors"},
+         "--similarity says nothing of the method progressive; it is for --method similarity\n");
+  expect({"--samples", "5"}, "it is for --method similarity or fair");
+  expect({"--membrane", "1"}, "it is for --method fair");
+  expect({"--weights", "none"}, "is --row-weights meant?");
   expect({"--method", "fair", "--similarity", "vectors"}, "of the method fair");
   expect({"--method", "similarity", "--membrane", "1"}, "--membrane says nothing");
   expect({"--method", "similarity", "--row-weights", "unit"}, "is for --similarity directions");
@@ -113,7 +117,7 @@ TEST(Usage, OutputsThatCannotBeMeant) {
   expect_usage_error(with_reference(folder / "r.png"), "does not name a format");
   expect_usage_error(
       {"interpolate", given, "-o", folder / "a.obj", "--write-reference", folder / "r.obj"},
-      "it is for --method similarity");
+      "it is for --method similarity or fair");
   const std::string list = folder.file("list.off", "0 1 2\n");
   expect_usage_error({"interpolate", given, "-o", list, "--only", list}, "is an input");
   expect_usage_error({"interpolate", given, "-o", folder / "a.xyz"}, "does not name a format");
