@@ -343,8 +343,9 @@ Mesh graded(Mesh grid, Index side, bool slim) {
   return grid;
 }
 
-// On large meshes loose tolerances are reached in single precision, by the steps of double
-// precision; with faces that are far longer than wide in double precision.
+// On large meshes the paper's tolerance is reached in single precision, by the steps of double
+// precision; smaller ones, which need more steps, and those of faces that are far longer than wide
+// in double precision.
 TEST(Similarity, SinglePrecisionTakesTheSameSteps) {
   constexpr Index kSide = 130;
   const Mesh grid = test::jittered(test::quad_grid(kSide, kSide));
@@ -354,9 +355,9 @@ TEST(Similarity, SinglePrecisionTakesTheSameSteps) {
   for (const RowWeights weights : {RowWeights::none, RowWeights::regularised}) {
     options.row_weights = weights;
     const auto distance = [&](const Mesh& mesh) {
-      options.solver_tolerance = 1e-4;
+      options.solver_tolerance = 1e-2;
       const auto single = interpolate_similar(mesh, options).value();
-      options.solver_tolerance = 0.99e-4;
+      options.solver_tolerance = 0.99e-2;
       const auto full = interpolate_similar(mesh, options).value();
       EXPECT_EQ(single.report.residuals.size(), full.report.residuals.size());
       EXPECT_NEAR(single.report.residual / full.report.residual, 1, 1e-5);
