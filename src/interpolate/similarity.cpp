@@ -57,18 +57,22 @@ struct Units {
   }
 };
 
-Result<Units> units_of(std::span<const double> values, std::size_t width) {
+// Of the vertices that have faces: others may be so far away that nothing were left of these.
+Result<Units> units_of(const SimilarityPrepared& prepared, std::span<const double> values,
+                       std::size_t width) {
   std::vector<double> low(width, HUGE_VAL);
   std::vector<double> high(width, -HUGE_VAL);
-  for (auto at = values.begin(); at != values.end();) {
-    for (std::size_t c = 0; c < width; ++c, ++at) {
-      low[c] = std::min(low[c], *at);
-      high[c] = std::max(high[c], *at);
+  for (std::size_t i = 0; i < prepared.given_count(); ++i) {
+    if (prepared.isolated[i] != 0) continue;
+    const double* at = values.data() + i * width;
+    for (std::size_t c = 0; c < width; ++c) {
+      low[c] = std::min(low[c], at[c]);
+      high[c] = std::max(high[c], at[c]);
     }
   }
   Units units{std::vector<double>(width, 0.0)};
   double side = 0;
-  for (std::size_t c = 0; c < width && !values.empty(); ++c) {
+  for (std::size_t c = 0; c < width && low[c] <= high[c]; ++c) {
     units.centre[c] = low[c] / 2 + high[c] / 2;
     side = std::max(side, high[c] - low[c]);
   }
@@ -107,6 +111,18 @@ std::vector<double> refined_reference(const SimilarityPrepared& prepared, const 
   return refine_given(prepared, wanted.width, source, context);
 }
 
+// They are where they are given, in the reference, too.
+void keep_isolated(const SimilarityPrepared& prepared, const Wanted& wanted,
+                   std::span<const double> given, std::span<double> x) {
+  for (Index i = 0; i < prepared.given_count(); ++i) {
+    if (prepared.isolated[i] == 0) continue;
+    const std::size_t j = wanted.elimination.limits().row_columns(i).front();
+    for (std::size_t c = 0; c < wanted.width; ++c) {
+      x[j * wanted.width + c] = given[i * wanted.width + c];
+    }
+  }
+}
+
 // Fills in `reference` and `scale`, in units, as the given numbers are.
 void stretch_reference(const SimilarityPrepared& prepared, const Wanted& wanted, const Units& units,
                        std::span<const double> given, const Context& context, Found& found) {
@@ -114,6 +130,13 @@ void stretch_reference(const SimilarityPrepared& prepared, const Wanted& wanted,
   units.enter(context, found.reference);
   found.scale = scale_reference(prepared, prepared.options.scaling, wanted.width, given, context,
                                 found.reference);
+  keep_isolated(prepared, wanted, given, found.reference);
+}
+
+void leave_reference(const SimilarityPrepared& prepared, const Wanted& wanted, const Units& units,
+                     const Context& context, std::span<double> reference) {
+  units.leave(context, reference);
+  keep_isolated(prepared, wanted, wanted.given, reference);
 }
 
 // The energy's derivative at x by the free points; empty where x is where the energy is least.
@@ -183,7 +206,7 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
 
 Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
                    const Context& context) {
-  const auto units = units_of(wanted.given, wanted.width);
+  const auto units = units_of(prepared, wanted.given, wanted.width);
   if (!units) return tl::make_unexpected(units.error());
   Found found;
   std::vector<double> given(wanted.given.begin(), wanted.given.end());
@@ -211,7 +234,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
   }
   if (found.outcome.cancelled) return fail(ErrorCode::cancelled, "cancelled while solving");
   units->leave(context, found.values);
-  units->leave(context, found.reference);
+  leave_reference(prepared, wanted, *units, context, found.reference);
   // Once more from the given numbers themselves: exact to the last rounding.
   wanted.elimination.meet(context, wanted.width, wanted.given, found.values);
   if (*constraints) {
@@ -223,13 +246,13 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
 
 Result<std::vector<double>> reference_of(const SimilarityPrepared& prepared, const Wanted& wanted,
                                          const Context& context) {
-  const auto units = units_of(wanted.given, wanted.width);
+  const auto units = units_of(prepared, wanted.given, wanted.width);
   if (!units) return tl::make_unexpected(units.error());
   Found found;
   std::vector<double> given(wanted.given.begin(), wanted.given.end());
   units->enter(context, given);
   stretch_reference(prepared, wanted, *units, given, context, found);
-  units->leave(context, found.reference);
+  leave_reference(prepared, wanted, *units, context, found.reference);
   return std::move(found.reference);
 }
 
@@ -316,6 +339,18 @@ void judge_residual(const SimilarityPrepared& prepared, const FreeOutcome& outco
   }
 }
 
+// Where the points are small differences of large ones.
+void judge_reference(const Found& found, double side, SimilarityReport& report) {
+  constexpr double kMuchLarger = 1e3;
+  if (report.solve.converged) return;
+  const double times = bounding_box(points_of(found.reference)).side() / (side > 0 ? side : 1);
+  if (!(times > kMuchLarger)) return;
+  report.solve.notes.push_back(
+      fmt::format("the reference is {:.3g} times as large as the given mesh, and so are rounding "
+                  "errors, which is why the surface misses the given vertices; scale the reference",
+                  times));
+}
+
 }  // namespace
 
 SimilarityInterpolator::SimilarityInterpolator(std::unique_ptr<const Impl> impl)
@@ -382,6 +417,7 @@ SimilaritySolution solution_of(const SimilarityPrepared& prepared, Found& found,
   SimilaritySolution solution;
   solution.points = std::move(control);
   fill_report(prepared, found, limits, points, context, solution.report);
+  judge_reference(found, bounding_box(points).side(), solution.report);
   judge_residual(prepared, found.outcome, solution.report);
   return solution;
 }

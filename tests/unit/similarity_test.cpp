@@ -329,6 +329,12 @@ TEST(Similarity, LosesNothingFarFromTheOrigin) {
   }
 }
 
+bool any_note(const SolveReport& report, const std::string& words) {
+  return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
+    return note.find(words) != std::string::npos;
+  });
+}
+
 // A grid whose faces become ten thousand times smaller from one side to the other, or longer than
 // wide as well.
 Mesh graded(Mesh grid, Index side, bool slim) {
@@ -369,6 +375,50 @@ TEST(Similarity, SinglePrecisionTakesTheSameSteps) {
       EXPECT_GT(distance(mesh), 0) << "they did differ in what they computed with";
     }
     EXPECT_EQ(distance(graded(grid, kSide, true)), 0);
+  }
+}
+
+// A vertex without faces, however far away, changes no bit of the surface and stays in its place.
+TEST(Similarity, IsolatedVerticesFarAwayDoNotMatter) {
+  const Mesh mesh = test::jittered(test::quad_grid(4, 4));
+  for (const Scheme scheme : {Scheme::catmull_clark, Scheme::doo_sabin}) {
+    for (const Similarity form : {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+      SimilarityOptions options;
+      options.rules = {scheme};
+      options.similarity = form;
+      const auto alone = interpolate_similar(mesh, options).value();
+      EXPECT_GT(alone.report.solve.iterations, 0U);
+      for (const double far : {1e19, 1e300}) {
+        SCOPED_TRACE(fmt::format("{} {} {}", name_of(scheme), name_of(form), far));
+        Mesh more = mesh;
+        const Point there = {far, -far / 3, far / 7};
+        more.points.push_back(there);
+        const auto found = interpolate_similar(more, options).value();
+        EXPECT_EQ(found.report.residuals, alone.report.residuals);
+        std::vector<Point> points = found.control.points;
+        EXPECT_EQ(std::erase(points, there), 1U);
+        EXPECT_EQ(points, alone.control.points);
+        const auto solver = SimilarityInterpolator::create(more, options).value();
+        const auto reference = solver.reference(more.points).value();
+        EXPECT_EQ(std::count(reference.begin(), reference.end(), there), 1);
+      }
+    }
+  }
+}
+
+TEST(Similarity, AFarTooLargeReferenceIsNamedAsTheCause) {
+  const Mesh mesh = test::jittered(test::quad_grid(4, 4));
+  SimilarityOptions options;
+  options.scaling = Scaling::none;
+  const auto solver = SimilarityInterpolator::create(mesh, options).value();
+  for (const double size : {1.0, 100.0, 1e200}) {
+    std::vector<Point> reference = mesh.points;
+    for (Point& p : reference) {
+      for (double& x : p) x *= size;
+    }
+    const SolveReport report = solver.solve_like(reference, mesh.points)->report.solve;
+    EXPECT_EQ(report.converged, size < 1e3);
+    EXPECT_EQ(any_note(report, "times as large as the given mesh"), size > 1e3) << size;
   }
 }
 
