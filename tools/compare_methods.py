@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Compares the methods of interpolation on ten real meshes and writes docs/comparison.md.
 
-usage: compare_methods.py SURPASS DATA DOCS [--head-only] [--methods plain,fair]
+usage: compare_methods.py SURPASS DATA DOCS [--save FILE | --load FILE]
 
-Rule and measures stand in HEAD; they were written down before any interpolating surface was measured. --head-only
-writes them with the names of the meshes and nothing else.
+Rule and measures stand in HEAD; they were written down before any interpolating surface was measured. What the numbers
+mean stands in comparison_text.py, which takes every number from them and checks what it says. Exits with 1, and leaves
+the page as it was, where that no longer holds.
 """
 import argparse
 import csv
@@ -15,12 +16,13 @@ import subprocess
 import sys
 import tempfile
 
+from comparison_text import LOOSE, STOPS, TIGHT, reading
 from real_meshes import folder_or_skip
 
 FOLDERS = ("quad", "tri")
 EACH = 5
 LEVELS = 4
-READING = "## What each is good for"
+RUNS = 5  # of which the fastest counts
 METHODS = [
     # heading, what it is, options of `surpass interpolate`
     ("plain", "progressive interpolation", []),
@@ -46,7 +48,8 @@ HEAD = """# Methods compared
 
 Which surface through the given vertices is fairer? Ten meshes, every method of this version on
 Catmull-Clark surfaces, nine measures and the time. The rule for the meshes and the measures were
-written down before any interpolating surface was measured, and every number found is below, whoever it speaks for.
+written down before any interpolating surface was measured, and all that was measured by them is below, whoever it
+speaks for.
 
 **Meshes.** From the collection's CATALOG.tsv, of the folders `quad` and `tri` each: meshes that load, are
 manifold, oriented, of one component, without isolated, doubled or degenerate elements, of 300 to
@@ -56,6 +59,11 @@ are interpolated by Catmull-Clark surfaces, with boundary rule edge-and-corner.
 
 **Methods**, each with its default options: {methods}.
 
+**The stop.** `vectors`, `directions` and `fair` iterate until the residual is a given part of what it was at the start.
+By default, and in the similarity paper, that is {loose}; all is measured at {tight}, too (`--solver-tolerance {tight}`). The
+surfaces interpolate at either. `plain` has no such stop. The second stop was added when results at the first were
+known, of an earlier version that began its iterations otherwise; meshes and measures remained as they were.
+
 **Measures**, all free of scale, less is better, by `surpass quality --levels {levels}` with the two rings
 around extraordinary samples that it leaves out by default ([definitions](command-line.md#fairness)):
 bending, bending without the sharpest hundredth of the area, thin plate (relative), curvature
@@ -63,9 +71,10 @@ variation (relative), total variation, largest curvature and 99 % curvature (rel
 between the normals and those of the Catmull-Clark surface of the given mesh itself, mean and rms in
 degrees. Levels are those of the given mesh; a control mesh that
 is refined once has one less, so all have the same samples. Time is what `interpolate --report` says for solving
-with its setup, on one thread of the machine named below.
+with its set-up, on one thread of the machine named below, the least of {runs} runs. Iterations of `plain` are of another
+kind and cheaper. Pictures are of the surfaces at {loose}.
 
-A method that refuses a mesh, because there is no such surface or it is not reached, is a dash.
+Every method has a surface on every mesh.
 
 | mesh | vertices | faces |
 |---|---:|---:|
@@ -98,17 +107,20 @@ def counts(path):
     raise KeyError(path)
 
 
+def stopped(name, stop):
+    """Options of the stop, for those methods that have one."""
+    return [] if name == "plain" else ["--solver-tolerance", stop]
+
+
 def interpolate(surpass, given, control, options):
-    """The report, or None with the sentence of the refusal."""
+    """The report. A refusal ends the run: the page speaks of every method on every mesh."""
     report = control.with_suffix(".json")
     run = subprocess.run([surpass, "interpolate", given, "-o", control, "--scheme", "catmull-clark",
                           "--boundary", "edge-and-corner", "--threads", "1", "--report", report, "--force",
                           "--quiet", *options], capture_output=True, text=True)
-    if run.returncode in (3, 4):
-        return None, json.loads(report.read_text())["failure"]["message"]
     if run.returncode != 0:
         sys.exit(f"interpolate {given} {options}: {run.stderr}")
-    return json.loads(report.read_text()), ""
+    return json.loads(report.read_text())
 
 
 def measured(surpass, given, controls):
@@ -132,50 +144,50 @@ def seconds(report):
 
 
 def one_mesh(surpass, given, folder):
-    """Per method: dict of measures and seconds, or None; and the refusals."""
-    found, refusals, controls = {}, {}, {}
+    """Per stop and method the measures, and the control meshes."""
+    found, controls = {stop: {} for stop in STOPS}, {}
     for name, _, options in METHODS:
-        control = folder / f"{given.stem}.{name}.ply"
-        report, refusal = interpolate(surpass, given, control, options)
-        if report is None:
-            refusals[name] = refusal
-        else:
-            controls[name] = control
-            found[name] = {"seconds": seconds(report)}
+        for stop in STOPS if name != "plain" else STOPS[:1]:
+            control = folder / f"{given.stem}.{name}.{stop}.ply"
+            reports = [interpolate(surpass, given, control, [*options, *stopped(name, stop)]) for _ in range(RUNS)]
+            controls[stop, name] = control
+            found[stop][name] = {"iterations": reports[0]["iterations"], "seconds": min(map(seconds, reports))}
     # The coarsest mesh of a comparison sets the levels: the given mesh is always among them.
     surfaces = measured(surpass, given, [given, *controls.values()])[1:]
-    for name, surface in zip(controls, surfaces):
-        found[name].update({m: value_at(surface, keys) for m, keys in MEASURES})
-        found[name]["left out"] = surface["coverage"]["left_out"]
-    return found, refusals, controls
+    for (stop, name), surface in zip(controls, surfaces):
+        found[stop][name].update({m: value_at(surface, keys) for m, keys in MEASURES})
+        found[stop][name]["left out"] = surface["coverage"]["left_out"]
+    found[TIGHT] = {"plain": found[LOOSE]["plain"], **found[TIGHT]}
+    return found, controls
 
 
-def table(found, refusals):
+def head_of_table():
     names = [name for name, _, _ in METHODS]
-    lines = ["| measure | " + " | ".join(names) + " |", "|---|" + "---:|" * len(names)]
+    return ["| measure | " + " | ".join(names) + " |", "|---|" + "---:|" * len(names)]
+
+
+def table(found):
+    lines = head_of_table()
     for measure in [m for m, _ in MEASURES] + ["seconds"]:
-        values = [found[n][measure] if n in found else None for n in names]
-        least = min(v for v in values if v is not None)
-        cells = ["-" if v is None else f"**{v:.4g}**" if v == least else f"{v:.4g}" for v in values]
+        values = [found[name][measure] for name, _, _ in METHODS]
+        cells = [f"**{v:.4g}**" if v == min(values) else f"{v:.4g}" for v in values]
         lines.append(f"| {measure} | " + " | ".join(cells) + " |")
-    lines += ["", *(f"`{name}`: {text}" for name, text in refusals.items())]
-    return "\n".join(lines).rstrip() + "\n"
+    lines.append("| iterations | " + " | ".join(str(found[name]["iterations"]) for name, _, _ in METHODS) + " |")
+    return "\n".join(lines) + "\n"
 
 
 def summary(results):
-    """How often each was best, and the mean ratio to plain where both exist."""
-    names = [name for name, _, _ in METHODS]
-    lines = ["| measure | " + " | ".join(names) + " |", "|---|" + "---:|" * len(names)]
+    """How often each was best, and the mean ratio to plain, at one stop."""
+    lines = head_of_table()
     for measure in [m for m, _ in MEASURES] + ["seconds"]:
         cells = []
-        for name in names:
-            best = sum(1 for r in results
-                       if name in r and r[name][measure] <= min(other[measure] for other in r.values()))
-            ratios = [math.log(r[name][measure] / r["plain"][measure]) for r in results
-                      if name in r and "plain" in r]
-            mean = f"{math.exp(sum(ratios) / len(ratios)):.3f}" if ratios else "-"
-            cells.append(f"{mean} ({best})")
+        for name, _, _ in METHODS:
+            best = sum(1 for r in results if r[name][measure] <= min(other[measure] for other in r.values()))
+            ratios = [math.log(r[name][measure] / r["plain"][measure]) for r in results]
+            cells.append(f"{math.exp(sum(ratios) / len(ratios)):.3f} ({best})")
         lines.append(f"| {measure} | " + " | ".join(cells) + " |")
+    steps = [[r[name]["iterations"] for r in results] for name, _, _ in METHODS]
+    lines.append("| iterations | " + " | ".join(f"{min(s)} to {max(s)}" for s in steps) + " |")
     return "\n".join(lines) + "\n"
 
 
@@ -197,56 +209,72 @@ def main():
     parser.add_argument("surpass", type=pathlib.Path)
     parser.add_argument("data")
     parser.add_argument("docs", type=pathlib.Path)
-    parser.add_argument("--head-only", action="store_true")
-    parser.add_argument("--methods", type=lambda names: names.split(","),
-                        help="only these: to try the script, the page wants all of them")
+    parser.add_argument("--save", type=pathlib.Path, help="keep the numbers in this file")
+    parser.add_argument("--load", type=pathlib.Path, help="a new text from the numbers in this file")
     arguments = parser.parse_args()
     arguments.data = folder_or_skip(arguments.data, len(FOLDERS) * EACH, "Comparison of methods")
-    if arguments.methods:
-        METHODS[:] = [m for m in METHODS if m[0] in arguments.methods]
-    meshes = [arguments.data / path for path in chosen(arguments.data)]
+    meshes = chosen(arguments.data)
+    if arguments.load:
+        kept = json.loads(arguments.load.read_text())
+    else:
+        kept = {"machine": machine(), "meshes": measure_all(arguments, meshes)}
+    if arguments.save:
+        arguments.save.write_text(json.dumps(kept))
+    results = kept["meshes"]
+    prose, failed = reading(results, [m for m, _ in MEASURES])
+    if failed:
+        sys.exit("docs/comparison.md is as it was: these claims of tools/comparison_text.py do not hold any more, and their "
+                 "sentences have to be written anew:\n  " + "\n  ".join(failed))
     methods = ", ".join(f"`{name}` ({what})" for name, what, _ in METHODS)
-    text = HEAD.format(methods=methods, levels=LEVELS)
+    text = HEAD.format(methods=methods, levels=LEVELS, runs=RUNS, loose=LOOSE, tight=TIGHT)
     for mesh in meshes:
-        vertices, faces = counts(mesh)
-        text += f"| {mesh.parent.name}/{mesh.name} | {vertices} | {faces} |\n"
-    page = arguments.docs / "comparison.md"
-    reading = kept(page)
-    text += "\nThe measurements are still to be made.\n" if arguments.head_only else body(arguments, meshes, reading)
-    page.write_text(text)
+        text += f"| {mesh} | {' | '.join(counts(arguments.data / mesh))} |\n"
+    text += in_all(results, kept["machine"]) + prose
+    for mesh, found in results.items():
+        text += section(mesh, found)
+    (arguments.docs / "comparison.md").write_text(text)
 
 
-def kept(page):
-    """The section that people write, which a new run must not lose."""
-    text = page.read_text() if page.exists() else ""
-    begin = text.find(READING)
-    return "\n" + text[begin:text.find("\n## ", begin) + 1].rstrip() + "\n" if begin >= 0 else ""
-
-
-def body(arguments, meshes, reading):
-    surpass, results, text = arguments.surpass.resolve(), [], ""
+def measure_all(arguments, meshes):
+    """The numbers of each mesh; draws the pictures."""
+    surpass, kept = arguments.surpass.resolve(), {}
     with tempfile.TemporaryDirectory() as name:
         for mesh in meshes:
             print(mesh, file=sys.stderr)
-            found, refusals, controls = one_mesh(surpass, mesh, pathlib.Path(name))
-            results.append(found)
-            text += f"\n## {mesh.parent.name}/{mesh.name}\n\n" + table(found, refusals)
-            pictures = {m: pathlib.Path("images/comparison") / f"{mesh.stem}.{m}.png" for m in controls}
-            for method, control in controls.items():
-                draw(surpass, control, arguments.docs / pictures[method])
-            text += "\n| " + " | ".join(pictures) + " |\n" + "|---" * len(pictures) + "|\n"
-            text += "| " + " | ".join(f"![{m}]({p})" for m, p in pictures.items()) + " |\n"
-            shares = {f"{100 * f['left out']:.1f}" for f in found.values()}
-            text += f"\nLeft out: {' to '.join(sorted(shares, key=float))} % of the area.\n"
-    head = f"""
+            kept[mesh], controls = one_mesh(surpass, arguments.data / mesh, pathlib.Path(name))
+            for (stop, method), control in controls.items():
+                if stop == LOOSE:
+                    draw(surpass, control, arguments.docs / picture(mesh, method))
+    return kept
+
+
+def picture(mesh, method):
+    return pathlib.Path("images/comparison") / f"{pathlib.Path(mesh).stem}.{method}.png"
+
+
+def in_all(results, where):
+    text = f"""
 ## In all
 
-The geometric mean over the meshes of each measure divided by that of `plain`, where both have a
-surface, and in brackets on how many of the {len(meshes)} meshes the method has the least. Times on
-{machine()}.
-
+The geometric mean over the meshes of each measure divided by that of `plain`, and in brackets on how many of the
+{len(results)} meshes the method has the least. Of iterations the fewest and the most.
+Times on {where}.
 """
-    return head + summary(results) + reading + text
+    for stop, which in zip(STOPS, ("the default", "`plain` is the same")):
+        text += f"\nAt {stop}, {which}:\n\n" + summary([found[stop] for found in results.values()])
+    return text
+
+
+def section(mesh, found):
+    text = f"\n## {mesh}\n"
+    for stop in STOPS:
+        text += f"\nAt {stop}:\n\n" + table(found[stop])
+    shown = {method: picture(mesh, method) for method in found[LOOSE]}
+    text += "\n| " + " | ".join(shown) + " |\n" + "|---" * len(shown) + "|\n"
+    text += "| " + " | ".join(f"![{m}]({p})" for m, p in shown.items()) + " |\n"
+    shares = {f"{100 * f['left out']:.1f}" for stop in STOPS for f in found[stop].values()}
+    shares = sorted(shares, key=float)
+    return text + f"\nLeft out: {' to '.join(dict.fromkeys((shares[0], shares[-1])))} % of the area.\n"
 
 
 if __name__ == "__main__":
