@@ -71,8 +71,8 @@ variation (relative), total variation, largest curvature and 99 % curvature (rel
 between the normals and those of the Catmull-Clark surface of the given mesh itself, mean and rms in
 degrees. Levels are those of the given mesh; a control mesh that
 is refined once has one less, so all have the same samples. Time is what `interpolate --report` says for solving
-with its set-up, on one thread of the machine named below, the least of {runs} runs. Iterations of `plain` are of another
-kind and cheaper. Pictures are of the surfaces at {loose}.
+with its set-up, on one thread of the machine named below, the least of {runs} runs (too high where other work shares
+the machine). Iterations of `plain` are of another kind and cheaper. Pictures are of the surfaces at {loose}.
 
 Every method has a surface on every mesh.
 
