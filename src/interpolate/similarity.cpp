@@ -123,14 +123,28 @@ void keep_isolated(const SimilarityPrepared& prepared, const Wanted& wanted,
   }
 }
 
-// Fills in `reference` and `scale`, in units, as the given numbers are.
-void stretch_reference(const SimilarityPrepared& prepared, const Wanted& wanted, const Units& units,
-                       std::span<const double> given, const Context& context, Found& found) {
-  found.reference = refined_reference(prepared, wanted, context);
-  units.enter(context, found.reference);
-  found.scale = scale_reference(prepared, prepared.options.scaling, wanted.width, given, context,
-                                found.reference);
-  keep_isolated(prepared, wanted, given, found.reference);
+// The given numbers and the reference that they are to resemble, in units.
+struct Start {
+  Units units;
+  std::vector<double> given;
+  std::vector<double> reference;
+  std::vector<double> scale;  // that the reference was stretched by
+};
+
+Result<Start> start_of(const SimilarityPrepared& prepared, const Wanted& wanted,
+                       const Context& context) {
+  auto units = units_of(prepared, wanted.given, wanted.width);
+  if (!units) return tl::make_unexpected(units.error());
+  Start start{std::move(*units),
+              {wanted.given.begin(), wanted.given.end()},
+              refined_reference(prepared, wanted, context),
+              {}};
+  start.units.enter(context, start.given);
+  start.units.enter(context, start.reference);
+  start.scale = scale_reference(prepared, prepared.options.scaling, wanted.width, start.given,
+                                context, start.reference);
+  keep_isolated(prepared, wanted, start.given, start.reference);
+  return start;
 }
 
 void leave_reference(const SimilarityPrepared& prepared, const Wanted& wanted, const Units& units,
@@ -206,12 +220,13 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
 
 Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
                    const Context& context) {
-  const auto units = units_of(prepared, wanted.given, wanted.width);
-  if (!units) return tl::make_unexpected(units.error());
+  auto start = start_of(prepared, wanted, context);
+  if (!start) return tl::make_unexpected(start.error());
+  const Units& units = start->units;
+  const std::vector<double>& given = start->given;
   Found found;
-  std::vector<double> given(wanted.given.begin(), wanted.given.end());
-  units->enter(context, given);
-  stretch_reference(prepared, wanted, *units, given, context, found);
+  found.reference = std::move(start->reference);
+  found.scale = std::move(start->scale);
   found.values = found.reference;
   wanted.elimination.meet(context, wanted.width, given, found.values);
 
@@ -222,7 +237,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
     own = cross_products(*prepared.layout, found.reference, options.row_weights, context);
   }
   FreeSystem system{wanted.elimination, own ? *own : *prepared.scalar, wanted.width, context};
-  auto constraints = constraints_of(wanted, system, given, *units);
+  auto constraints = constraints_of(wanted, system, given, units);
   if (!constraints) return tl::make_unexpected(constraints.error());
   if (*constraints) {
     system.constraints = &**constraints;
@@ -233,8 +248,8 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
     found.outcome = minimise(prepared, system, found.reference, given, found.values);
   }
   if (found.outcome.cancelled) return fail(ErrorCode::cancelled, "cancelled while solving");
-  units->leave(context, found.values);
-  leave_reference(prepared, wanted, *units, context, found.reference);
+  units.leave(context, found.values);
+  leave_reference(prepared, wanted, units, context, found.reference);
   // Once more from the given numbers themselves: exact to the last rounding.
   wanted.elimination.meet(context, wanted.width, wanted.given, found.values);
   if (*constraints) {
@@ -246,14 +261,10 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
 
 Result<std::vector<double>> reference_of(const SimilarityPrepared& prepared, const Wanted& wanted,
                                          const Context& context) {
-  const auto units = units_of(prepared, wanted.given, wanted.width);
-  if (!units) return tl::make_unexpected(units.error());
-  Found found;
-  std::vector<double> given(wanted.given.begin(), wanted.given.end());
-  units->enter(context, given);
-  stretch_reference(prepared, wanted, *units, given, context, found);
-  leave_reference(prepared, wanted, *units, context, found.reference);
-  return std::move(found.reference);
+  auto start = start_of(prepared, wanted, context);
+  if (!start) return tl::make_unexpected(start.error());
+  leave_reference(prepared, wanted, start->units, context, start->reference);
+  return std::move(start->reference);
 }
 
 Result<void> check_channel(const Channel& channel, std::size_t vertices) {
