@@ -14,9 +14,10 @@ using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Products = Eigen::SparseMatrix<double>;
 using Factor = Eigen::SimplicialLDLT<Products>;
 
-constexpr double kSuspect = 1e-12;  // a squared distance
-// Keeps the decomposition going past dependent rows, whose pivots it becomes; far above the
-// rounding of products, far below what is suspect.
+constexpr double kSuspect = 1e-8;  // a squared distance
+// Keeps the decomposition going past dependent rows, whose pivots become this times the sum of
+// their squared shares: far above the rounding of products, and for shares up to 1000 below what is
+// suspect.
 constexpr double kShift = 1e-14;
 constexpr double kNoShare = 1e-12;
 

@@ -23,7 +23,7 @@ struct IndependentRows {
   std::vector<DependentRow> dependent;  ///< ascending
 };
 
-/// Rows have length 1, or 0. Those are listed as dependent that lie within about 1e-6 of the span
+/// Rows have length 1, or 0. Those are listed as dependent that lie within about 1e-4 of the span
 /// of the independent ones; how close is told to 1e-13 or so. Where that is more than kDependent,
 /// all shares are there.
 /// Method: the pivots of a Cholesky decomposition of the rows' products are the squared distances

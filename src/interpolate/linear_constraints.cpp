@@ -116,6 +116,7 @@ struct LinearConstraints::Contents {
   Vector absolute_value;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> products;
   std::vector<unsigned char> redundant;
+  std::set<std::size_t> opposed;
 
   [[nodiscard]] Vector multipliers(const Vector& right) const {
     Vector x = products.solve(right);
@@ -133,6 +134,8 @@ LinearConstraints::~LinearConstraints() = default;
 const std::vector<unsigned char>& LinearConstraints::redundant() const {
   return contents_->redundant;
 }
+
+const std::set<std::size_t>& LinearConstraints::opposed() const { return contents_->opposed; }
 
 namespace {
 
@@ -152,11 +155,12 @@ struct NearRows {
   std::vector<DependentRow> dropped;
 };
 
-NearRows nearly_dependent(const Rows& rows, const IndependentRows& found) {
+template <class Skip>
+NearRows nearly_dependent(const Rows& rows, const IndependentRows& found, Skip&& skip) {
   std::vector<const DependentRow*> near;
   Triplets own;
   for (const DependentRow& d : found.dependent) {
-    if (!(d.distance > kDependent)) continue;
+    if (!(d.distance > kDependent) || skip(d.row)) continue;
     const int at = number(near.size());
     near.push_back(&d);
     std::map<Eigen::Index, double> rest;
@@ -212,7 +216,7 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
     const double length = rows.all.row(i).norm();
     const double left = rows.free.row(i).norm();
     factor[i] = left > kNothing * length ? 1 / left : 0;
-    if (factor[i] == 0 && std::abs(value[i] - at_start[i]) > kHolds) {
+    if (factor[i] == 0 && !row.chosen && std::abs(value[i] - at_start[i]) > kHolds) {
       return contradiction({}, row.requirement, std::abs(value[i] - at_start[i]), requirements);
     }
   }
@@ -220,10 +224,14 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
   const Vector wanted = factor.cwiseProduct(value - at_start);
   const IndependentRows found = independent_rows(scaled);
   if (system.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  auto near = nearly_dependent(scaled, found);
   const auto requirement_of = [&](int row) {
     return equations.rows[static_cast<std::size_t>(row)].requirement;
   };
+  const auto is_chosen = [&](int row) {
+    return equations.rows[static_cast<std::size_t>(row)].chosen;
+  };
+  auto near = nearly_dependent(scaled, found, is_chosen);
+  auto contents = std::make_unique<Contents>();
   const auto check = [&](const DependentRow& d) -> Result<void> {
     double rest = wanted[d.row];
     std::set<std::size_t> others;
@@ -233,26 +241,32 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
       if (std::abs(share) > kMatters) others.insert(requirement_of(other));
     }
     if (factor[d.row] == 0 || std::abs(rest) <= kHolds) return {};
+    if (is_chosen(d.row)) {
+      contents->opposed.merge(others);
+      return {};
+    }
     return contradiction(std::move(others), requirement_of(d.row), std::abs(rest), requirements);
   };
   for (const DependentRow& d : found.dependent) {
-    if (d.distance > kDependent) continue;
+    if (d.distance > kDependent && !is_chosen(d.row)) continue;
     if (auto ok = check(d); !ok) return tl::make_unexpected(ok.error());
   }
   for (const DependentRow& d : near.dropped) {
     if (auto ok = check(d); !ok) return tl::make_unexpected(ok.error());
   }
-  auto contents = std::make_unique<Contents>();
   contents->elimination = &elimination;
   contents->redundant.assign(requirements.size(), 0);
   for (const RequirementRow& row : equations.rows) contents->redundant[row.requirement] = 1;
+  const auto is_needed = [&](int row) {
+    if (!is_chosen(row)) contents->redundant[requirement_of(row)] = 0;
+  };
   const auto kept = static_cast<Eigen::Index>(found.independent.size() + near.kept.size());
   Rows pick(kept, count);
   Triplets picked;
   int place = 0;
   for (const int row : found.independent) {
     picked.emplace_back(place++, row, factor[row]);
-    contents->redundant[requirement_of(row)] = 0;
+    is_needed(row);
   }
   // What a nearly dependent row has of its own takes its place, at full length.
   for (const DependentRow& d : near.kept) {
@@ -261,7 +275,7 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
       picked.emplace_back(place, other, -share / d.distance * factor[other]);
     }
     ++place;
-    contents->redundant[requirement_of(d.row)] = 0;
+    is_needed(d.row);
   }
   pick.setFromTriplets(picked.begin(), picked.end());
   contents->all = pick * rows.all;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -23,9 +24,9 @@ class LinearConstraints {
 
   /// Fails with `contradictory` if equations contradict each other or the given vertices, naming
   /// the requirements; with `cancelled`. Of those that nearly depend on others only what they have
-  /// of their own is solved for, at full length. `targets` are those of the given vertices in the
-  /// units, #given by 3. Cost: two sparse Cholesky decompositions of the equations' products. The
-  /// elimination must outlive it.
+  /// of their own is solved for, at full length; of chosen ones nothing. `targets` are those of the
+  /// given vertices in the units, #given by 3. Cost: two sparse Cholesky decompositions of the
+  /// equations' products. The elimination must outlive it.
   static Result<LinearConstraints> build(const RequirementRows& equations,
                                          std::span<const Requirement> requirements,
                                          const FreeSystem& system, std::span<const double> targets,
@@ -50,6 +51,9 @@ class LinearConstraints {
 
   /// #requirements: 1 where all its equations were dropped.
   [[nodiscard]] const std::vector<unsigned char>& redundant() const;
+
+  /// Requirements whose equations left no room to chosen ones (RequirementRow::chosen).
+  [[nodiscard]] const std::set<std::size_t>& opposed() const;
 
  private:
   struct Contents;

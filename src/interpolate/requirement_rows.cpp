@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "interpolate/tangent_place.hpp"
 #include "interpolate/tangent_wishes.hpp"
 #include "scheme/quarter.hpp"
 
@@ -126,13 +127,7 @@ std::vector<double> combined(const std::array<double, 2>& along, const SurfaceSt
   return weights;
 }
 
-// Two unit vectors across a direction.
-std::array<Point, 2> across(const Point& direction) {
-  const Eigen::Vector3d d = Eigen::Map<const Eigen::Vector3d>(direction.data()).stableNormalized();
-  const Eigen::Vector3d a = d.unitOrthogonal();
-  const Eigen::Vector3d b = d.cross(a);
-  return {{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}}};
-}
+Point point_of(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 constexpr std::array<Point, 3> kAxes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
@@ -142,11 +137,12 @@ class Equations {
 
   Result<void> add(const Requirement& r, std::size_t number, const Located& at,
                    SurfaceStencil stencil) {
+    out_.first_row.push_back(out_.rows.size());
     switch (r.kind) {
       case Kind::remove: return {};
       case Kind::position: return position(r, number, std::move(stencil));
       case Kind::normal: {
-        const Point n = unit(r.value);
+        const Point n = point_of(unit_vector(r.value));
         for (auto* weights : {&stencil.tangent_u, &stencil.tangent_v}) {
           out_.rows.push_back({number, n, put(stencil.columns, std::move(*weights)), 0});
         }
@@ -160,7 +156,9 @@ class Equations {
     }
     const std::size_t place = put(stencil.columns, std::move(weights));
     if (r.kind == Kind::direction) {
-      for (const Point& n : across(r.value)) out_.rows.push_back({number, n, place, 0});
+      for (const auto& n : across(r.value)) {
+        out_.rows.push_back({number, point_of(n), place, 0});
+      }
     } else {
       for (std::size_t c = 0; c < 3; ++c)
         out_.rows.push_back({number, kAxes[c], place, r.value[c]});
@@ -169,11 +167,6 @@ class Equations {
   }
 
  private:
-  static Point unit(const Point& p) {
-    const Eigen::Vector3d n = Eigen::Map<const Eigen::Vector3d>(p.data()).stableNormalized();
-    return {n[0], n[1], n[2]};
-  }
-
   std::size_t put(const std::vector<Index>& columns, std::vector<double> values) {
     out_.weights.push_back({columns, std::move(values)});
     return out_.weights.size() - 1;
@@ -263,12 +256,14 @@ Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules
   if (auto ok = check_tangents(requirements, *stencils, out.along); !ok) {
     return tl::make_unexpected(ok.error());
   }
+  out.first_there = first_there(requirements, *stencils);
   Equations equations(out);
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     if (auto ok = equations.add(requirements[i], i, located[i], std::move((*stencils)[i])); !ok) {
       return tl::make_unexpected(ok.error());
     }
   }
+  if (auto ok = check_places(requirements, out); !ok) return tl::make_unexpected(ok.error());
   return out;
 }
 

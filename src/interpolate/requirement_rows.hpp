@@ -29,6 +29,8 @@ struct RequirementRow {
   Point normal;
   std::size_t stencil;  ///< RequirementRows::weights
   double value;
+  /// Not asked for, but chosen: left out where it depends on others, whatever they say.
+  bool chosen = false;
 };
 
 struct RequirementRows {
@@ -38,11 +40,14 @@ struct RequirementRows {
   };
   std::vector<Weights> weights;
   std::vector<RequirementRow> rows;
+  std::vector<std::size_t> first_row;   ///< of each requirement; the next one's where it has none
   std::vector<unsigned char> repeated;  ///< of each: an earlier one at its vertex says the same
   std::vector<unsigned char> released;  ///< #given: removed vertices; empty without any
   std::vector<Point> targets;           ///< #given points, positions at vertices replaced
   std::vector<SurfacePlace> places;     ///< of each requirement, on the refined mesh
   std::vector<std::array<double, 2>> along;  ///< the same, by those parameters
+  /// Of each: the first one that is of tangents at the same place; itself if it is of none.
+  std::vector<std::size_t> first_there;
 };
 
 /// Fails, naming the requirement, on vertices, places or neighbours that do not exist, numbers that

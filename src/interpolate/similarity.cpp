@@ -12,7 +12,9 @@
 #include "interpolate/linear_system.hpp"
 #include "interpolate/requirement_outcomes.hpp"
 #include "interpolate/similarity_prepared.hpp"
+#include "interpolate/tangent_lengths.hpp"
 #include "interpolate/tangent_wishes.hpp"
+#include "mesh/wording.hpp"
 #include "scheme/limit_points.hpp"
 
 namespace surpass {
@@ -101,6 +103,7 @@ struct Found {
   std::vector<double> scale;
   FreeOutcome outcome;
   std::vector<unsigned char> redundant;  // #requirements
+  std::set<std::size_t> opposed;         // LinearConstraints::opposed()
 };
 
 std::vector<double> refined_reference(const SimilarityPrepared& prepared, const Wanted& wanted,
@@ -243,6 +246,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
     system.constraints = &**constraints;
     system.constraints->meet(context, found.values, true);
     found.redundant = system.constraints->redundant();
+    found.opposed = system.constraints->opposed();
   }
   if (options.max_iterations > 0) {
     found.outcome = minimise(prepared, system, found.reference, given, found.values);
@@ -483,6 +487,43 @@ Mesh control_mesh(const SimilarityPrepared& prepared) {
   return control;
 }
 
+// Again and again with lengths for the tangents that vanished, which others may for their sake.
+// What cannot be solved with them stays as it was found without.
+Result<Found> find_with_tangents(const SimilarityPrepared& prepared, const Wanted& wanted,
+                                 RequirementRows& equations, const Context& context) {
+  constexpr int kMostRounds = 8;  // two are usual
+  auto found = find(prepared, wanted, context);
+  for (int round = 1; found && round < kMostRounds; ++round) {
+    const std::size_t before = equations.rows.size();
+    if (!add_tangent_lengths(wanted.requirements, points_of(found->values),
+                             points_of(found->reference), equations)) {
+      break;
+    }
+    auto again = find(prepared, wanted, context);
+    if (!again) fprintf(stderr, "AGAIN %s\n", again.error().message.c_str());
+    if (!again && again.error().code != ErrorCode::cancelled) {
+      equations.rows.resize(before);
+      break;
+    }
+    found = std::move(again);
+  }
+  return found;
+}
+
+void note_lengths(const RequirementRows& equations, std::span<const Requirement> requirements,
+                  SimilarityReport& report) {
+  const auto with = with_lengths(requirements.size(), equations);
+  const auto first = std::find(with.begin(), with.end(), 1);
+  if (first == with.end()) return;
+  const auto number = static_cast<std::size_t>(first - with.begin());
+  report.solve.notes.push_back(fmt::format(
+      "the tangents of {} would have vanished and were given lengths, by the reference; the first: "
+      "{}, {}",
+      counted(static_cast<std::size_t>(std::count(first, with.end(), 1)), "requirement",
+              "requirements"),
+      number, describe(requirements[number])));
+}
+
 Result<RequirementRows> equations_of(const SimilarityPrepared& prepared, const Mesh& control,
                                      std::span<const Requirement> requirements,
                                      std::span<const Point> points, const Context& context) {
@@ -515,10 +556,10 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
                                      equations->released);
   if (!released) return tl::make_unexpected(released.error());
   std::vector<Point>& targets = equations->targets;
-  auto found = find(prepared,
-                    {flat(std::span<const Point>(targets)), flat(reference), 3, true, *released,
-                     &*equations, requirements},
-                    context);
+  auto found = find_with_tangents(prepared,
+                                  {flat(std::span<const Point>(targets)), flat(reference), 3, true,
+                                   *released, &*equations, requirements},
+                                  *equations, context);
   if (!found) return tl::make_unexpected(found.error());
   control.points = points_of(found->values);
   // Nothing is missed at vertices that were let go.
@@ -530,7 +571,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
       solution_of(prepared, *found, control.points, limits, targets, context);
   const double extent = bounding_box(points).side();
   const double side = extent > 0 ? extent : 1;
-  if (auto ok = check_planes(requirements, *equations, control.points, side); !ok) {
+  if (auto ok = check_planes(requirements, *equations, control.points, side, found->opposed); !ok) {
     return tl::make_unexpected(ok.error());
   }
   auto outcomes =
@@ -538,6 +579,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   solution.report.requirements = std::move(*outcomes);
   mark_redundant(*equations, *found, solution.report.requirements);
+  note_lengths(*equations, requirements, solution.report);
   judge_outcomes(requirements, points, side, solution.report);
   solution.targets = std::move(targets);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {

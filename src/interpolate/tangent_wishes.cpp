@@ -4,9 +4,12 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
+
+#include "interpolate/tangent_place.hpp"
 
 namespace surpass {
 namespace {
@@ -15,12 +18,7 @@ using Kind = Requirement::Kind;
 using Vector3 = Eigen::Vector3d;
 
 constexpr double kSame = 1e-9;
-
-bool is_of_tangents(Kind kind) {
-  return kind == Kind::normal || kind == Kind::direction || kind == Kind::derivative;
-}
-
-Vector3 unit(const Point& p) { return Eigen::Map<const Vector3>(p.data()).stableNormalized(); }
+constexpr double kNoWeight = 1e-12;
 
 /// Weights of control points, of one requirement's tangents: one column a tangent.
 struct Wish {
@@ -78,8 +76,8 @@ bool contradict(const Requirement& a, const Wish& of_a, const Requirement& b, co
   const auto shares = by_those_of(of_a, of_b);
   if (!shares) return false;
   if (is_zero(a) || is_zero(b)) return true;
-  const Vector3 u = unit(a.value);
-  const Vector3 v = unit(b.value);
+  const Vector3 u = unit_vector(a.value);
+  const Vector3 v = unit_vector(b.value);
   if (of_a.is_normal() && !of_b.is_normal()) return std::abs(u.dot(v)) > kSame;
   const double turn = of_a.is_normal() ? shares->determinant() : (*shares)(0, 0);
   return (v - std::copysign(1.0, turn) * u).norm() > kSame;
@@ -90,7 +88,7 @@ bool contradict(const Requirement& a, const Wish& of_a, const Requirement& b, co
 std::vector<Index> key_of(const SurfaceStencil& s) {
   std::vector<Index> key;
   for (std::size_t k = 0; k < s.columns.size(); ++k) {
-    if (std::abs(s.position[k]) > 1e-12) key.push_back(s.columns[k]);
+    if (std::abs(s.position[k]) > kNoWeight) key.push_back(s.columns[k]);
   }
   std::sort(key.begin(), key.end());
   return key;
@@ -121,31 +119,36 @@ Result<void> check_group(const Numbers& group, std::span<const Requirement> requ
   return {};
 }
 
-/// The tangents of requirement i on the final surface, two of a normal.
-std::vector<Vector3> tangents_of(const RequirementRows& equations, std::size_t first_row, Kind kind,
-                                 std::span<const Point> control) {
-  std::vector<Vector3> tangents;
-  for (std::size_t k = 0; k < (kind == Kind::normal ? 2U : 1U); ++k) {
-    const auto& weights = equations.weights[equations.rows[first_row + k].stencil];
-    // From differences, for far from the origin the sum of rounded weights would tell.
-    const auto at = [&](Index j) { return Eigen::Map<const Vector3>(control[j].data()); };
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t n = 0; n < weights.columns.size(); ++n) {
-      sum += weights.values[n] * (at(weights.columns[n]) - at(weights.columns[0]));
-    }
-    tangents.push_back(sum);
-  }
-  return tangents;
+bool collapsed(const Eigen::Matrix3Xd& tangents, double side) {
+  constexpr double kNothing = 1e-12;
+  return tangents.colwise().norm().minCoeff() <= kNothing * side || sine_between(tangents) <= kSame;
 }
 
-bool collapsed(const std::vector<Vector3>& tangents, double side) {
-  constexpr double kNothing = 1e-12;
-  for (const Vector3& t : tangents) {
-    if (t.norm() > kNothing * side) continue;
-    return true;
+// The weights of a position that are not nothing, by columns.
+std::vector<std::pair<Index, double>> position_of(const SurfaceStencil& s) {
+  std::vector<std::pair<Index, double>> weights;
+  for (std::size_t k = 0; k < s.columns.size(); ++k) {
+    if (std::abs(s.position[k]) > kNoWeight) weights.emplace_back(s.columns[k], s.position[k]);
   }
-  if (tangents.size() < 2) return false;
-  return tangents[0].stableNormalized().cross(tangents[1].stableNormalized()).norm() <= kSame;
+  std::sort(weights.begin(), weights.end());
+  return weights;
+}
+
+bool same_position(const SurfaceStencil& a, const SurfaceStencil& b) {
+  const auto of_a = position_of(a);
+  const auto of_b = position_of(b);
+  return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                    [](const auto& x, const auto& y) {
+                      return x.first == y.first && std::abs(x.second - y.second) <= kSame;
+                    });
+}
+
+std::string names_of(const Numbers& numbers, std::span<const Requirement> requirements) {
+  std::string names;
+  for (const std::size_t i : numbers) {
+    names += (names.empty() ? "" : ", ") + named(i, requirements[i]);
+  }
+  return names;
 }
 
 }  // namespace
@@ -165,38 +168,73 @@ Result<void> check_tangents(std::span<const Requirement> requirements,
   return {};
 }
 
+std::vector<std::size_t> first_there(std::span<const Requirement> requirements,
+                                     std::span<const SurfaceStencil> stencils) {
+  Numbers first(requirements.size());
+  std::map<std::vector<Index>, Numbers> places;  // the first of each
+  for (std::size_t i = 0; i < requirements.size(); ++i) {
+    first[i] = i;
+    if (!is_of_tangents(requirements[i].kind)) continue;
+    Numbers& near = places[key_of(stencils[i])];
+    const auto same = std::find_if(near.begin(), near.end(), [&](std::size_t j) {
+      return same_position(stencils[i], stencils[j]);
+    });
+    if (same == near.end()) {
+      near.push_back(i);
+    } else {
+      first[i] = *same;
+    }
+  }
+  return first;
+}
+
+Result<void> check_places(std::span<const Requirement> requirements,
+                          const RequirementRows& equations) {
+  for (const Numbers& numbers : tangent_places(requirements, equations)) {
+    if (numbers.size() < 3) continue;  // check_tangents compares two
+    const auto excluded = TangentPlace(numbers, requirements, equations).exclusive();
+    if (excluded.empty()) continue;
+    return fail(ErrorCode::contradictory,
+                fmt::format("requirements contradict each other: {}; no tangents that have lengths "
+                            "other than 0 and a plane do all of them",
+                            names_of(excluded, requirements)),
+                place_of(requirements[excluded.back()]));
+  }
+  return {};
+}
+
 std::vector<std::size_t> without_tangents(std::span<const Requirement> requirements,
                                           const RequirementRows& equations,
                                           std::span<const Point> control, double side) {
-  std::vector<std::size_t> first(requirements.size(), equations.rows.size());
-  for (std::size_t row = equations.rows.size(); row > 0; --row) {
-    first[equations.rows[row - 1].requirement] = row - 1;
-  }
-  std::vector<std::size_t> found;
+  Numbers found;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
-    const Requirement& r = requirements[i];
-    if (r.kind != Requirement::Kind::normal && r.kind != Requirement::Kind::direction) continue;
-    if (!collapsed(tangents_of(equations, first[i], r.kind, control), side)) continue;
-    const Requirement& other = requirements[found.empty() ? i : found.front()];
-    if (other.vertex == r.vertex && other.place == r.place) found.push_back(i);
+    const Kind kind = requirements[i].kind;
+    if (kind != Kind::normal && kind != Kind::direction) continue;
+    if (!found.empty() && equations.first_there[i] != equations.first_there[found.front()]) {
+      continue;
+    }
+    if (collapsed(tangents_on(control, equations, i, kind), side)) found.push_back(i);
   }
   return found;
 }
 
 Result<void> check_planes(std::span<const Requirement> requirements,
                           const RequirementRows& equations, std::span<const Point> control,
-                          double side) {
+                          double side, const std::set<std::size_t>& opposed) {
   const auto found = without_tangents(requirements, equations, control, side);
   if (found.empty()) return {};
-  std::string names;
-  for (const std::size_t i : found) {
-    names += (names.empty() ? "" : ", ") + named(i, requirements[i]);
+  // All that take part: those of the place, and those by which lengths were given up.
+  std::set<std::size_t> involved = opposed;
+  for (std::size_t i = 0; i < requirements.size(); ++i) {
+    if (!is_of_tangents(requirements[i].kind)) continue;
+    if (equations.first_there[i] == equations.first_there[found.front()]) involved.insert(i);
   }
-  return fail(ErrorCode::contradictory,
-              fmt::format("requirements contradict each other or what is given around them: {} "
-                          "can only be met by a surface that has no tangent plane there",
-                          names),
-              place_of(requirements[found.front()]));
+  return fail(
+      ErrorCode::contradictory,
+      fmt::format("no surface was found that passes through what is given and does, by tangents "
+                  "that have a length other than 0 and a plane, what is required: {}",
+                  names_of({involved.begin(), involved.end()}, requirements)),
+      place_of(requirements[found.front()]));
 }
 
 }  // namespace surpass

@@ -3,6 +3,8 @@
 // has no plane there.
 #pragma once
 
+#include <set>
+
 #include "interpolate/requirement_rows.hpp"
 
 namespace surpass {
@@ -15,6 +17,15 @@ namespace surpass {
                                           std::span<const SurfaceStencil> stencils,
                                           std::span<const std::array<double, 2>> along);
 
+/// Of each requirement the first one of tangents at the same place, itself for other kinds.
+[[nodiscard]] std::vector<std::size_t> first_there(std::span<const Requirement> requirements,
+                                                   std::span<const SurfaceStencil> stencils);
+
+/// Fails with `contradictory`, naming them, if three or more at one place exclude each other only
+/// together: whatever tangents do all of it, those of one have no length, or of a normal no plane.
+[[nodiscard]] Result<void> check_places(std::span<const Requirement> requirements,
+                                        const RequirementRows& equations);
+
 /// Normals and directions at places where `control`'s surface has tangents of no length or no
 /// plane, so that equations say nothing: the numbers of those at the first such place. `side` of
 /// the box.
@@ -23,10 +34,12 @@ namespace surpass {
                                                         std::span<const Point> control,
                                                         double side);
 
-/// Fails with `contradictory`, naming the requirements there, where normals and directions are met
-/// only because their tangents have no length or no plane on the final surface, `control`.
+/// Fails with `contradictory`, naming all requirements of tangents there and `opposed` ones, where
+/// normals and directions are met only because their tangents have no length or no plane on the
+/// final surface, `control`.
 [[nodiscard]] Result<void> check_planes(std::span<const Requirement> requirements,
                                         const RequirementRows& equations,
-                                        std::span<const Point> control, double side);
+                                        std::span<const Point> control, double side,
+                                        const std::set<std::size_t>& opposed);
 
 }  // namespace surpass

@@ -1,0 +1,230 @@
+// Normals and directions that the least change would meet by tangents of length 0: they are met by
+// tangents worth the name, or refused by a sentence that names all that take part.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/polygons.hpp"
+
+namespace surpass {
+namespace {
+
+using Kind = Requirement::Kind;
+constexpr double kShort = 0.3;  // of the length that the tangent has without requirements
+
+Requirement wish(Kind kind, Index vertex, Index towards, const Point& value) {
+  Requirement r;
+  r.kind = kind;
+  r.vertex = vertex;
+  r.towards = towards;
+  r.value = value;
+  return r;
+}
+
+Requirement wish_on(Kind kind, const SurfacePlace& place, const Point& value) {
+  Requirement r;
+  r.kind = kind;
+  r.place = place;
+  r.value = value;
+  return r;
+}
+
+double length(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
+
+// The two tangents at a corner of the given mesh, as lengths, and the sine between them.
+std::array<double, 3> tangents_at(const Mesh& control, Index corner) {
+  const SurfaceSample s = LimitSurface::create(control, {Scheme::catmull_clark})
+                              .value()
+                              .evaluate({corner, 0, 0})
+                              .value();
+  const Point cross = {s.du[1] * s.dv[2] - s.du[2] * s.dv[1], s.du[2] * s.dv[0] - s.du[0] * s.dv[2],
+                       s.du[0] * s.dv[1] - s.du[1] * s.dv[0]};
+  return {length(s.du), length(s.dv), length(cross) / length(s.du) / length(s.dv)};
+}
+
+Index corner_of(const Mesh& mesh, Index vertex) {
+  const auto at = std::find(mesh.face_vertices.begin(), mesh.face_vertices.end(), vertex);
+  return static_cast<Index>(at - mesh.face_vertices.begin());
+}
+
+Mesh flat_sheet() {
+  Mesh mesh = test::quad_grid(7, 7);
+  for (Point& p : mesh.points) p[2] = 0;
+  return mesh;
+}
+
+std::vector<Index> rim_of(const Mesh& mesh) {
+  const Topology topology = Topology::build(mesh).value();
+  std::vector<Index> rim;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (topology.is_boundary(v) && topology.faces_at(v) == 2) rim.push_back(v);
+  }
+  return rim;
+}
+
+// The neighbour inside.
+Index inner_of(const Mesh& mesh, Index vertex) {
+  const Topology topology = Topology::build(mesh).value();
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Index next = face[(k + 1) % face.size()];
+      if (face[k] == vertex && !topology.is_boundary(next)) return next;
+      if (next == vertex && !topology.is_boundary(face[k])) return face[k];
+    }
+  }
+  return kNone;
+}
+
+void expect_met(const Mesh& mesh, const std::vector<Requirement>& all,
+                const std::vector<Index>& corners) {
+  for (const Similarity form : {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+    SimilarityOptions options;
+    options.similarity = form;
+    const auto plain_found = interpolate_required(mesh, {}, options);
+    ASSERT_TRUE(plain_found) << describe(plain_found.error());
+    const auto& plain = *plain_found;
+    const auto found = interpolate_required(mesh, all, options);
+    ASSERT_TRUE(found) << name_of(form) << ": " << describe(found.error());
+    EXPECT_LT(found->report.solve.final.max, 1e-14);
+    for (const RequirementOutcome& outcome : found->report.requirements) {
+      EXPECT_LT(outcome.error, 1e-14);
+      EXPECT_FALSE(outcome.flipped);
+    }
+    for (const Index corner : corners) {
+      const auto before = tangents_at(plain.control, corner);
+      const auto after = tangents_at(found->control, corner);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(after[k], kShort * before[k]) << name_of(form);
+    }
+  }
+}
+
+TEST(RequirementTangents, AFlatSheetCanBeAskedToStandUpright) {
+  const Mesh mesh = flat_sheet();
+  const std::vector<Index> rim = rim_of(mesh);
+  ASSERT_EQ(rim.size(), 20U);
+  std::vector<Requirement> upright;
+  std::vector<Requirement> normals;
+  std::vector<Index> corners;
+  for (const Index v : rim) {
+    const Index inner = inner_of(mesh, v);
+    upright.push_back(wish(Kind::direction, v, inner, {0, 0, 1}));
+    Point out = mesh.points[v];
+    for (std::size_t c = 0; c < 3; ++c) out[c] -= mesh.points[inner][c];
+    normals.push_back(wish(Kind::normal, v, kNone, out));
+    corners.push_back(corner_of(mesh, v));
+  }
+  expect_met(mesh, {upright[3]}, {corners[3]});
+  expect_met(mesh, {normals[3]}, {corners[3]});
+  expect_met(mesh, upright, corners);
+  expect_met(mesh, normals, corners);
+}
+
+TEST(RequirementTangents, HardlyAnyLengthIsNoLength) {
+  const Mesh mesh = flat_sheet();
+  const Index v = rim_of(mesh)[2];
+  const Index inner = inner_of(mesh, v);
+  Point almost = {0, 0, 1};
+  for (std::size_t c = 0; c < 2; ++c)
+    almost[c] = 1e-6 * (mesh.points[inner][c] - mesh.points[v][c]);
+  expect_met(mesh, {wish(Kind::direction, v, inner, almost)}, {corner_of(mesh, v)});
+}
+
+TEST(RequirementTangents, NormalsAcrossTheSurfaceAreMet) {
+  expect_met(test::cube(), {wish_on(Kind::normal, {0, 0.5, 0.5}, {1, 0, 0})}, {});
+  const Mesh mesh = flat_sheet();
+  const Index v = 24;  // in the middle
+  expect_met(mesh, {wish(Kind::normal, v, kNone, {1, 0, 0})}, {corner_of(mesh, v)});
+}
+
+// What else is required at the place decides how the tangents lie.
+TEST(RequirementTangents, PrescribedDerivativesStayBesideTurnedNormals) {
+  const Mesh mesh = flat_sheet();
+  const Index v = 24;
+  const Index next = mesh.face_vertices[corner_of(mesh, v) + 1];
+  for (const Kind kind : {Kind::derivative, Kind::direction}) {
+    for (const Point& value : {Point{0, 0.3, 0}, Point{0, -0.3, 0}, Point{0, 0.3, -0.01}}) {
+      SCOPED_TRACE(fmt::format("{} {} {}", name_of(kind), value[1], value[2]));
+      expect_met(mesh,
+                 {wish(kind, v, next, value), wish(Kind::normal, v, kNone, {1, 0, 0}),
+                  wish(Kind::normal, 10, kNone, {0, 0.1, 1})},
+                 {corner_of(mesh, v)});
+    }
+  }
+}
+
+TEST(RequirementTangents, ChosenLengthsHaveTheSameBitsForAnyNumberOfThreads) {
+  const Mesh mesh = flat_sheet();
+  std::vector<Requirement> all;
+  for (const Index v : rim_of(mesh)) {
+    all.push_back(wish(Kind::direction, v, inner_of(mesh, v), {0, 0, 1}));
+  }
+  const auto one = interpolate_required(mesh, all, {}, {.threads = 1}).value();
+  const auto two = interpolate_required(mesh, all, {}, {.threads = 2}).value();
+  EXPECT_EQ(one.control.points, two.control.points);
+}
+
+void expect_refusal(const Mesh& mesh, const std::vector<Requirement>& all,
+                    const std::vector<std::string>& named, const std::string& innocent = "?") {
+  const auto result = interpolate_required(mesh, all, {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::contradictory);
+  const std::string& message = result.error().message;
+  for (const std::string& name : named) {
+    EXPECT_NE(message.find(name), std::string::npos) << name << ": " << message;
+  }
+  EXPECT_EQ(message.find(innocent), std::string::npos) << message;
+}
+
+TEST(RequirementTangents, AllThatExcludeEachOtherTogetherAreNamed) {
+  const Mesh mesh = test::cube();
+  const Index corner = corner_of(mesh, 0);
+  const auto face = mesh.face(corner / 4);
+  const Index next = face[(corner + 1) % 4];
+  const Index before = face[(corner + 3) % 4];
+  expect_refusal(
+      mesh,
+      {wish(Kind::normal, 0, kNone, {0, 0, 1}), wish(Kind::direction, 0, next, {1, 0, 0}),
+       wish(Kind::normal, 6, kNone, {0, 0, 1}), wish(Kind::direction, 0, before, {1, 0, 0}),
+       wish(Kind::normal, 0, kNone, {0, 0, 1})},
+      {"contradict each other", "0 (normal at vertex 0)", "1 (direction at vertex 0",
+       "3 (direction at vertex 0"},
+      "2 (normal");
+}
+
+// Points of a cubic curve that rises from a given vertex and stands still at the last of them.
+std::vector<Requirement> curve_that_stops(const Mesh& mesh, Index face) {
+  const Point& start = mesh.points[mesh.face(face)[0]];
+  std::vector<Requirement> all;
+  for (const double t : {1.0 / 3, 2.0 / 3, 1.0}) {
+    const double rise = 0.1 * (1 - std::pow(1 - t, 3));
+    all.push_back(wish_on(Kind::position, {face, t, 0, 0}, {start[0], start[1], rise}));
+  }
+  return all;
+}
+
+// A derivative follows from the curve, by shares so large that a decomposition may overlook it.
+TEST(RequirementTangents, WhatFollowsByLargeSharesIsRedundant) {
+  const Mesh mesh = flat_sheet();
+  std::vector<Requirement> all = curve_that_stops(mesh, 14);
+  all.push_back(wish_on(Kind::derivative, {14, 1, 0, 0}, {}));
+  const auto found = interpolate_required(mesh, all, {});
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_TRUE(found->report.requirements[3].redundant);
+  for (const auto& outcome : found->report.requirements) EXPECT_LT(outcome.error, 1e-13);
+}
+
+// The equations of the direction there hold, and nothing can give the tangent a length.
+TEST(RequirementTangents, WhereNoLengthIsLeftAllThatTakePartAreNamed) {
+  const Mesh mesh = flat_sheet();
+  std::vector<Requirement> all = curve_that_stops(mesh, 14);
+  all.push_back(wish_on(Kind::direction, {14, 1, 0, 0}, {0, 0, 1}));
+  expect_refusal(
+      mesh, all,
+      {"no surface was found", "0 (position", "1 (position", "2 (position", "3 (direction"});
+}
+
+}  // namespace
+}  // namespace surpass
