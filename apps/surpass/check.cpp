@@ -165,7 +165,7 @@ class Check : public Command {
     }
     session.report["requirements"] = outcomes_json(findings.requirements, findings.outcomes);
     findings.table += line(findings);
-    return conclude(findings, given.points, rules, session);
+    return conclude(findings, own->targets, rules, session);
   }
 
   static Findings findings_of(const Certificate& own, Session& session) {

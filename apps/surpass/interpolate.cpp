@@ -24,6 +24,7 @@
 #include "solver_options.hpp"
 #include "surface_output.hpp"
 #include "vertex_list.hpp"
+#include "wording.hpp"
 
 namespace surpass::cli {
 
@@ -190,13 +191,19 @@ Result<void> Interpolate::run(Session& session) {
 
 Result<void> Interpolate::not_reached(const SolveReport& solved, double error) const {
   const std::string advice = keep_best_ ? "" : ", or have the best mesh written with --keep-best";
+  if (error <= solved.tolerance && method_ == Method::progressive) {
+    return fail(ErrorCode::not_converged,
+                fmt::format("the positions reached the tolerance {:.3g}, but a channel did not; "
+                            "allow more with --max-iterations{}",
+                            solved.tolerance, advice));
+  }
   if (error <= solved.tolerance) {
-    return fail(
-        ErrorCode::not_converged,
-        fmt::format(
-            "the positions reached the tolerance {:.3g}, but a channel or a requirement did not; "
-            "allow more with --max-iterations{}",
-            solved.tolerance, advice));
+    // These methods meet everything from the start: only rounding is at work.
+    return fail(ErrorCode::not_converged,
+                fmt::format("the positions reached the tolerance {:.3g}, but a channel or a "
+                            "requirement did not, by rounding, which more iterations would not "
+                            "mend; ask for numbers of the size of the mesh{}",
+                            solved.tolerance, advice));
   }
   if (method_ != Method::progressive) {
     return fail(ErrorCode::not_converged,
@@ -206,9 +213,9 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
   }
   return fail(ErrorCode::not_converged,
               fmt::format("the error is {:.3g} of the box side, above the tolerance {:.3g}, after "
-                          "{} iterations; allow more with --max-iterations, accept more with "
-                          "--tolerance{}",
-                          error, solved.tolerance, solved.iterations, advice));
+                          "{}; allow more with --max-iterations, accept more with --tolerance{}",
+                          error, solved.tolerance,
+                          counted(solved.iterations, "iteration", "iterations"), advice));
 }
 
 /// Options that say nothing of the method are refused, not ignored.

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "wording.hpp"
+
 namespace surpass::cli {
 
 Option add_levels(Options& options, int& levels, const std::string& description) {
@@ -21,9 +23,9 @@ Result<void> check_levels(const Mesh& mesh, int levels) {
   const int fitting =
       static_cast<int>(std::floor(std::log(kMostCorners / corners) / std::log(4.0)));
   return fail(ErrorCode::invalid_argument,
-              fmt::format("--levels {} would make a mesh of {:.3g} face corners; at most {} levels "
-                          "are possible for this mesh",
-                          levels, refined, fitting));
+              fmt::format("--levels {} would make a mesh of {:.3g} face corners; at most {} "
+                          "possible for this mesh",
+                          levels, refined, counted(fitting, "level is", "levels are")));
 }
 
 }  // namespace surpass::cli

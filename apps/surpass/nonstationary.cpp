@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "targets_file.hpp"
+#include "wording.hpp"
 
 namespace surpass::cli {
 
@@ -199,14 +200,14 @@ Result<double> Nonstationary::fairest(const Mesh& mesh, const NonstationaryOptio
       {"trimmed_bending", found->trimmed_bending}, {"levels", levels}, {"rings", rings}};
   if (rings < measure.rings) {
     session.console.note(fmt::format(
-        "nothing of the surface is left to measure after {} levels without {} rings around its "
+        "nothing of the surface is left to measure after {} without {} around its "
         "extraordinary vertices, so the shape parameter is that of `surpass quality --rings {}`",
-        levels, measure.rings, rings));
+        counted(levels, "level", "levels"), counted(measure.rings, "ring", "rings"), rings));
   }
   session.console.say(
       fmt::format("shape parameter {:.6g}: least bending without the sharpest hundredth, {:.6g} "
-                  "after {} levels",
-                  found->shape, found->trimmed_bending, levels));
+                  "after {}",
+                  found->shape, found->trimmed_bending, counted(levels, "level", "levels")));
   return found->shape;
 }
 

@@ -12,6 +12,7 @@
 #include "mesh_output.hpp"
 #include "nonstationary.hpp"
 #include "rules_option.hpp"
+#include "wording.hpp"
 
 namespace surpass::cli {
 
@@ -155,9 +156,9 @@ class Quality : public Command {
     if (!levels_option_.given()) levels = std::max(fairness_levels(coarsest), finest + 1);
     if (levels <= finest) {
       return fail(ErrorCode::invalid_argument,
-                  fmt::format("--levels {} is too few: one of the meshes is {} levels finer than "
-                              "the coarsest; take {} or more",
-                              levels, finest, finest + 1));
+                  fmt::format("--levels {} is too few: one of the meshes is {} finer than the "
+                              "coarsest; take {} or more",
+                              levels, counted(finest, "level", "levels"), finest + 1));
     }
     std::vector<int> found;
     for (const Mesh& mesh : meshes) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,17 +45,19 @@ class Entry {
 
   // Exactly one of the kinds' names is a key: its value is the requirement's.
   bool choose_kind() {
-    int found = 0;
+    std::vector<std::string> found;
     for (const Kind kind :
          {Kind::position, Kind::normal, Kind::direction, Kind::derivative, Kind::remove}) {
       const char* name = name_of(kind);
       if (!json_.contains(name)) continue;
-      ++found;
+      found.emplace_back(name);
       requirement_.kind = kind;
       known_.emplace_back(name);
     }
-    if (found != 1) {
-      return problem("it has to have one of position, normal, direction, derivative and remove");
+    if (found.size() != 1) {
+      return problem(fmt::format(
+          "it has to have exactly one of position, normal, direction, derivative and remove{}",
+          found.empty() ? "" : fmt::format("; it has {} and {}", found[0], found[1])));
     }
     const std::string name = known_.back();
     if (requirement_.kind == Kind::remove) {
@@ -120,6 +123,36 @@ class Entry {
   std::string problem_;
 };
 
+// Of which a reader takes the last without a word. Objects in it are those of the list's entries.
+class RepeatedKeys {
+ public:
+  bool see(Json::parse_event_t event, const Json& parsed) {
+    using Event = Json::parse_event_t;
+    if (event == Event::object_start) {
+      if (open_.size() == 1) ++entries_;
+      open_.emplace_back();
+    } else if (event == Event::object_end) {
+      open_.pop_back();
+    } else if (event == Event::key && !open_.back().insert(parsed.get<std::string>()).second) {
+      if (first_.empty()) first_ = name(parsed.get<std::string>());
+    }
+    return true;
+  }
+
+  /// A sentence on the first one; empty if there is none.
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+ private:
+  [[nodiscard]] std::string name(const std::string& key) const {
+    if (open_.size() == 1) return fmt::format("\"{}\" is there more than once", key);
+    return fmt::format("requirement {}: \"{}\" is there more than once", entries_ - 1, key);
+  }
+
+  std::vector<std::set<std::string>> open_;  // keys so far, of the objects around
+  std::size_t entries_ = 0;
+  std::string first_;
+};
+
 }  // namespace
 
 Result<std::vector<Requirement>> read_requirements(const std::string& path) {
@@ -127,8 +160,11 @@ Result<std::vector<Requirement>> read_requirements(const std::string& path) {
   if (!text) return tl::make_unexpected(text.error());
   const Place place{.file = path};
   Json json;
+  RepeatedKeys repeated;
   try {
-    json = Json::parse(*text);
+    json = Json::parse(*text, [&](int, Json::parse_event_t event, const Json& parsed) {
+      return repeated.see(event, parsed);
+    });
   } catch (const Json::parse_error& error) {
     Place where = place;
     where.byte = error.byte > 0 ? error.byte - 1 : 0;
@@ -136,6 +172,7 @@ Result<std::vector<Requirement>> read_requirements(const std::string& path) {
   } catch (const Json::exception&) {
     return fail(ErrorCode::syntax, "holds a number that no double can hold", place);
   }
+  if (!repeated.first().empty()) return fail(ErrorCode::syntax, repeated.first(), place);
   if (!json.is_object() || json.size() != 1 || !json.contains("requirements") ||
       !json["requirements"].is_array()) {
     return fail(ErrorCode::syntax,

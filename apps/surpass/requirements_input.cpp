@@ -88,9 +88,15 @@ std::vector<std::string> RequirementsInput::inputs() const {
   return paths;
 }
 
-Result<std::vector<Requirement>> RequirementsInput::load_list(Session& session) const {
+Result<std::vector<Requirement>> RequirementsInput::load_list(const Mesh& given,
+                                                              Session& session) const {
   auto read = read_requirements(list_path_);
-  if (read && session.report.contains("mended")) {
+  if (!read) return read;
+  if (auto fit = check_requirements(given, *read); !fit) {
+    // It is the file that is wrong, as where it is no list.
+    return fail(ErrorCode::syntax, fit.error().message, Place{.file = list_path_});
+  }
+  if (session.report.contains("mended")) {
     session.console.note(
         fmt::format("vertices and faces in {} are counted in the mended mesh", list_path_));
   }
@@ -116,7 +122,7 @@ Result<std::vector<Requirement>> RequirementsInput::load(const Mesh& given, cons
                                                          Session& session) const {
   std::vector<Requirement> requirements;
   if (lists()) {
-    auto list = load_list(session);
+    auto list = load_list(given, session);
     if (!list) return list;
     requirements = std::move(*list);
   }
@@ -135,6 +141,7 @@ Json outcomes_json(const std::vector<Requirement>& requirements,
     Json entry = {{"what", describe(requirements[i])}, {"error", outcomes[i].error}};
     const Requirement::Kind kind = requirements[i].kind;
     if (kind == Requirement::Kind::normal || kind == Requirement::Kind::direction) {
+      entry["angle"] = outcomes[i].angle;
       entry["flipped"] = outcomes[i].flipped;
     }
     list.push_back(std::move(entry));

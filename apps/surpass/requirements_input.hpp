@@ -28,7 +28,8 @@ class RequirementsInput {
                                                       Session& session) const;
 
  private:
-  [[nodiscard]] Result<std::vector<Requirement>> load_list(Session& session) const;
+  [[nodiscard]] Result<std::vector<Requirement>> load_list(const Mesh& given,
+                                                           Session& session) const;
   [[nodiscard]] Result<std::vector<Requirement>> load_normals(const Mesh& given, const Rules& rules,
                                                               Session& session) const;
 
@@ -36,7 +37,8 @@ class RequirementsInput {
   std::string normals_path_;
 };
 
-/// For a report: what each is, its error, and of normals and directions whether it is flipped.
+/// For a report: what each is, its error, and of normals and directions the angle and whether it is
+/// flipped.
 [[nodiscard]] Json outcomes_json(const std::vector<Requirement>& requirements,
                                  const std::vector<RequirementOutcome>& outcomes);
 

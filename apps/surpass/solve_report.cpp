@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "evaluator.hpp"
+#include "wording.hpp"
 
 namespace surpass::cli {
 
@@ -40,9 +41,9 @@ void add_solve_report(const SolveReport& solved, const Verdict& verdict, Json& r
 }
 
 std::string summary(const SolveReport& solved, const Verdict& verdict) {
-  std::string text =
-      fmt::format("error {:.3g} -> {:.3g} of the box side (mean {:.3g}), {} iterations",
-                  solved.initial.max, verdict.exact.max, verdict.exact.mean, solved.iterations);
+  std::string text = fmt::format("error {:.3g} -> {:.3g} of the box side (mean {:.3g}), {}",
+                                 solved.initial.max, verdict.exact.max, verdict.exact.mean,
+                                 counted(solved.iterations, "iteration", "iterations"));
   if (solved.boundary_iterations > 0) {
     text += fmt::format(" + {} on curves", solved.boundary_iterations);
   }

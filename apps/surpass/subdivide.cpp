@@ -8,6 +8,7 @@
 #include "mesh_output.hpp"
 #include "nonstationary.hpp"
 #include "rules_option.hpp"
+#include "wording.hpp"
 
 namespace surpass::cli {
 
@@ -62,8 +63,8 @@ class Subdivide : public Command {
                                                   : refine_stationary(loaded->mesh, rules, session);
     if (!refined) return tl::make_unexpected(refined.error());
     session.console.say(
-        fmt::format("{} vertices, {} faces after {} {} of {}, {}{}", refined->vertex_count(),
-                    refined->face_count(), levels_, levels_ == 1 ? "level" : "levels",
+        fmt::format("{} vertices, {} faces after {} of {}, {}{}", refined->vertex_count(),
+                    refined->face_count(), counted(levels_, "level", "levels"),
                     session.report["scheme"].get<std::string>(), name_of(rules.boundary),
                     limit_ ? ", on the limit surface" : ""));
     if (const auto written = output_.write(*refined, session); !written) return written;

@@ -43,8 +43,12 @@ struct SurfaceSample {
   Point du = {};
   Point dv = {};
   /// Unit length, on the side from which the faces turn counterclockwise; at sharp edges that of
-  /// this face's side. (0,0,0) where the tangents are parallel or absent. At corners whose sharp
-  /// edges enclose more than two faces there is no tangent plane; the control face's stands in.
+  /// this face's side. (0,0,0) where the tangents in the plane (SurfaceStencil::tangent_u) are
+  /// parallel or vanish; where only du and dv are absent there is a normal all the same. At corners
+  /// whose sharp edges enclose more than two faces there is no tangent plane; the control face's
+  /// stands in. Nor is there one at interior vertices of valence 2: normals nearby have no limit,
+  /// but swing to one side and the other with each halving of the distance. What stands in is the
+  /// plane that they swing about, of the modes along the edges and across them.
   Point normal = {};
   struct Second {
     Point uu = {};
@@ -65,6 +69,9 @@ struct SurfaceStencil {
   /// Two directions in the tangent plane that, crossed in this order, give the normal: du and dv
   /// wherever they serve. Lengths have no meaning.
   std::vector<double> tangent_u, tangent_v;
+  /// Whether they span the plane that the surface has there, on this face's side. If not they are
+  /// stand-ins, so that there is a normal to shade with; see SurfaceSample::normal.
+  bool has_plane = true;
 };
 
 /// The sample that a stencil makes of control points, from differences to one of them: the surface

@@ -44,8 +44,15 @@ struct Requirement {
 /// In words, such as "normal at vertex 7".
 [[nodiscard]] std::string describe(const Requirement& requirement);
 
+/// Fails with `invalid_argument`, naming the requirement, on vertices, places and neighbours that
+/// the given mesh has not, numbers that are not finite, and normals and directions of length 0.
+/// Whether a surface can do what is asked is not looked at.
+[[nodiscard]] Result<void> check_requirements(const Mesh& given,
+                                              std::span<const Requirement> requirements);
+
 /// A normal at every vertex where the surface has one: not at isolated vertices, bow-ties, corners,
-/// where creases of infinite sharpness meet or pass, and under edge_only at vertices of one face.
+/// where creases of infinite sharpness meet or pass, under edge_only at vertices of one face, and
+/// on Catmull-Clark surfaces inside at vertices of two.
 /// Where `normals` (#V) has no direction, none is required. Fails where Topology::build does, and
 /// with `mismatch` if the sizes differ.
 [[nodiscard]] Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh,
@@ -60,9 +67,10 @@ struct Requirement {
 /// What became of a requirement.
 struct RequirementOutcome {
   bool redundant = false;  ///< it follows from the others, or from the given vertices
-  /// What is left of its equations on the final surface, relative to the box side: the distance of
-  /// positions, the difference of derivatives, the part of du and dv along the normal, the part of
-  /// the derivative across the direction.
+  /// What is left of its equations on the final surface, relative to the side of the given points'
+  /// box, with those that requirements move at their new places: the distance of positions, the
+  /// difference of derivatives, the part of du and dv along the normal, the part of the derivative
+  /// across the direction.
   double error = 0;
   /// The angle to the normal or direction in radians, 0 to pi; 0 for other kinds.
   double angle = 0;

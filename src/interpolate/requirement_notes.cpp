@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "mesh/wording.hpp"
+
 namespace surpass {
 namespace {
 
@@ -17,19 +19,23 @@ bool is_missed(const RequirementOutcome& outcome, double tolerance) {
 std::vector<std::string> notes_on(std::span<const Requirement> requirements,
                                   std::span<const RequirementOutcome> outcomes, double tolerance) {
   std::vector<std::string> notes;
-  const auto note_where = [&](const std::string& what, const auto& is) {
+  const auto note_where = [&](const std::string& one, const std::string& many, const auto& is) {
     const auto first = std::find_if(outcomes.begin(), outcomes.end(), is);
     if (first == outcomes.end()) return;
     const auto number = static_cast<std::size_t>(first - outcomes.begin());
-    notes.push_back(fmt::format("{} of {} requirements were {}; the first: {}, {}",
-                                std::count_if(first, outcomes.end(), is), outcomes.size(), what,
-                                number, describe(requirements[number])));
+    const auto count = std::count_if(first, outcomes.end(), is);
+    notes.push_back(fmt::format("{} of {} {}; the first: {}, {}", count,
+                                counted(outcomes.size(), "requirement", "requirements"),
+                                count == 1 ? one : many, number, describe(requirements[number])));
   };
-  note_where("dropped, for they follow from the others",
+  note_where("was dropped, for it follows from the others",
+             "were dropped, for they follow from the others",
              std::mem_fn(&RequirementOutcome::redundant));
-  note_where("met with the opposite sign, which their equations cannot tell",
+  note_where("was met with the opposite sign, which its equations cannot tell",
+             "were met with the opposite sign, which their equations cannot tell",
              std::mem_fn(&RequirementOutcome::flipped));
-  note_where(fmt::format("missed by more than {:.3g} of the box side", tolerance),
+  const std::string missed = fmt::format("missed by more than {:.3g} of the box side", tolerance);
+  note_where("was " + missed, "were " + missed,
              [&](const RequirementOutcome& o) { return is_missed(o, tolerance); });
   return notes;
 }

@@ -5,8 +5,8 @@
 
 namespace surpass {
 
-/// `control`: the refined mesh with its points; `limits` of the given vertices. `side` of the given
-/// points' box; errors are relative to it. Nothing is said of what is redundant.
+/// `control`: the refined mesh with its points; `limits` of the given vertices. `side` of the
+/// targets' box; errors are relative to it. Nothing is said of what is redundant.
 [[nodiscard]] Result<std::vector<RequirementOutcome>> requirement_outcomes(
     const Mesh& control, const Rules& rules, std::span<const Point> limits,
     const RequirementRows& equations, std::span<const Requirement> requirements, double side,

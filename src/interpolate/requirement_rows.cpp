@@ -1,121 +1,18 @@
 #include "interpolate/requirement_rows.hpp"
 
 #include <cmath>
-#include <map>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "interpolate/requirement_places.hpp"
 #include "interpolate/tangent_place.hpp"
 #include "interpolate/tangent_wishes.hpp"
-#include "scheme/quarter.hpp"
 
 namespace surpass {
 namespace {
 
 using Kind = Requirement::Kind;
-
-tl::unexpected<Error> refuse(const Requirement& r, std::size_t number, std::string_view why) {
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("requirement {} ({}): {}", number, describe(r), why), place_of(r));
-}
-
-bool is_finite(const Point& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
-// A corner of each vertex, the first in the order of faces; kNone for isolated ones.
-std::vector<Index> first_corners(const Mesh& given) {
-  std::vector<Index> first(given.vertex_count(), kNone);
-  for (Index c = given.corner_count(); c > 0; --c) first[given.face_vertices[c - 1]] = c - 1;
-  return first;
-}
-
-struct Located {
-  SurfacePlace place;  // on the refined mesh
-  std::array<double, 2> along;
-};
-
-class Locator {
- public:
-  Locator(const Mesh& given, std::span<const Requirement> requirements)
-      : given_(given), corners_(first_corners(given)) {
-    for (const Requirement& r : requirements) edges_needed_ = edges_needed_ || r.towards != kNone;
-    for (Index f = 0; edges_needed_ && f < given.face_count(); ++f) {
-      const auto face = given.face(f);
-      for (std::size_t k = 0; k < face.size(); ++k) {
-        const Index corner = given.face_offsets[f] + static_cast<Index>(k);
-        leaving_[{face[k], face[(k + 1) % face.size()]}] = corner;
-        before_[{face[(k + 1) % face.size()], face[k]}] =
-            given.face_offsets[f] + static_cast<Index>((k + 1) % face.size());
-      }
-    }
-  }
-
-  [[nodiscard]] Result<Located> locate(const Requirement& r, std::size_t number) const {
-    if (r.vertex == kNone) return on_face(r, number);
-    if (r.vertex >= given_.vertex_count()) {
-      return refuse(r, number, fmt::format("there are {} vertices", given_.vertex_count()));
-    }
-    const Index corner = corners_[r.vertex];
-    if (corner == kNone) return refuse(r, number, "the vertex has no face");
-    if (r.towards == kNone) {
-      if (r.kind == Kind::direction || r.kind == Kind::derivative) {
-        return refuse(r, number, "at a vertex, a derivative has to name the neighbour it goes to");
-      }
-      return Located{{corner, 0, 0}, r.along};
-    }
-    if (const auto at = leaving_.find({r.vertex, r.towards}); at != leaving_.end()) {
-      return Located{{at->second, 0, 0}, {1, 0}};
-    }
-    if (const auto at = before_.find({r.vertex, r.towards}); at != before_.end()) {
-      return Located{{at->second, 0, 0}, {0, 1}};
-    }
-    return refuse(r, number, fmt::format("no edge leads to vertex {}", r.towards));
-  }
-
- private:
-  [[nodiscard]] Result<Located> on_face(const Requirement& r, std::size_t number) const {
-    const SurfacePlace& p = r.place;
-    if (r.kind == Kind::remove) return refuse(r, number, "only vertices can be removed");
-    if (p.face >= given_.face_count()) {
-      return refuse(r, number, fmt::format("there are {} faces", given_.face_count()));
-    }
-    const auto m = static_cast<Index>(given_.face(p.face).size());
-    if (p.corner == kNone ? m != 4 : p.corner >= m) {
-      return refuse(
-          r, number,
-          fmt::format("the face has {} vertices; {}", m,
-                      p.corner == kNone ? "name one of its corners" : "corners count from 0"));
-    }
-    if (!(p.u >= 0 && p.u <= 1 && p.v >= 0 && p.v <= 1)) {
-      return refuse(r, number, "parameters lie between 0 and 1");
-    }
-    Located located{{}, r.along};
-    located.place = refined_place(given_, p, located.along);
-    return located;
-  }
-
-  const Mesh& given_;
-  std::vector<Index> corners_;
-  bool edges_needed_ = false;
-  std::map<std::array<Index, 2>, Index> leaving_;  // a corner whose next vertex is the second
-  std::map<std::array<Index, 2>, Index> before_;   // a corner whose previous vertex is the second
-};
-
-Result<void> check_numbers(const Requirement& r, std::size_t number) {
-  if (r.kind == Kind::remove) return {};
-  if (!is_finite(r.value)) return refuse(r, number, "its numbers are not finite");
-  const bool has_direction = r.kind == Kind::normal || r.kind == Kind::direction;
-  if (has_direction && r.value == Point{}) return refuse(r, number, "it has the length 0");
-  const bool has_along = r.kind == Kind::direction || r.kind == Kind::derivative;
-  if (!has_along) return {};
-  const auto [a, b] = r.along;
-  if (!std::isfinite(a) || !std::isfinite(b) || (a == 0 && b == 0)) {
-    return refuse(r, number, "it has no direction of derivative");
-  }
-  return {};
-}
 
 std::vector<double> combined(const std::array<double, 2>& along, const SurfaceStencil& s) {
   std::vector<double> weights(s.columns.size(), 0.0);
@@ -135,13 +32,20 @@ class Equations {
  public:
   explicit Equations(RequirementRows& out) : out_(out) {}
 
-  Result<void> add(const Requirement& r, std::size_t number, const Located& at,
+  Result<void> add(const Requirement& r, std::size_t number, const LocatedRequirement& at,
                    SurfaceStencil stencil) {
     out_.first_row.push_back(out_.rows.size());
     switch (r.kind) {
       case Kind::remove: return {};
       case Kind::position: return position(r, number, std::move(stencil));
       case Kind::normal: {
+        if (!stencil.has_plane) {
+          return refuse_requirement(
+              r, number,
+              "the surface has no tangent plane there: it is a corner between more than two faces, "
+              "or an inner vertex of two",
+              ErrorCode::contradictory);
+        }
         const Point n = point_of(unit_vector(r.value));
         for (auto* weights : {&stencil.tangent_u, &stencil.tangent_v}) {
           out_.rows.push_back({number, n, put(stencil.columns, std::move(*weights)), 0});
@@ -152,7 +56,9 @@ class Equations {
     }
     std::vector<double> weights = combined(at.along, stencil);
     if (weights.empty()) {
-      return refuse(r, number, "the surface has no derivative there: it stays irregular");
+      return refuse_requirement(r, number,
+                                "the surface has no derivative there: it stays irregular",
+                                ErrorCode::contradictory);
     }
     const std::size_t place = put(stencil.columns, std::move(weights));
     if (r.kind == Kind::direction) {
@@ -217,9 +123,10 @@ Result<std::vector<SurfaceStencil>> stencils_of(const Mesh& refined, const Rules
   const auto first = std::find_if_not(requirements.begin(), requirements.end(), is_of_vertex);
   if (first == requirements.end()) return std::vector<SurfaceStencil>(requirements.size());
   if (rules.scheme != Scheme::catmull_clark) {
-    return refuse(*first, static_cast<std::size_t>(first - requirements.begin()),
-                  "under this scheme vertices can be moved and removed; normals, derivatives and "
-                  "points elsewhere need the scheme catmull-clark, which takes triangles, too");
+    return refuse_requirement(
+        *first, static_cast<std::size_t>(first - requirements.begin()),
+        "under this scheme vertices can be moved and removed; normals, derivatives and "
+        "points elsewhere need the scheme catmull-clark, which takes triangles, too");
   }
   const auto surface = LimitSurface::create(refined, rules, context);
   if (!surface) return tl::make_unexpected(surface.error());
@@ -233,20 +140,15 @@ Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules
                                          const Context& context) {
   RequirementRows out;
   out.targets = given.points;
-  const Locator locator(given, requirements);
-  std::vector<Located> located;
+  const auto located = located_requirements(given, requirements);
+  if (!located) return tl::make_unexpected(located.error());
   for (std::size_t i = 0; i < requirements.size(); ++i) {
-    const Requirement& r = requirements[i];
-    if (auto ok = check_numbers(r, i); !ok) return tl::make_unexpected(ok.error());
-    auto at = locator.locate(r, i);
-    if (!at) return tl::make_unexpected(at.error());
-    if (r.kind == Kind::remove) {
+    if (requirements[i].kind == Kind::remove) {
       out.released.resize(given.vertex_count(), 0);
-      out.released[r.vertex] = 1;
+      out.released[requirements[i].vertex] = 1;
     }
-    out.places.push_back(at->place);
-    out.along.push_back(at->along);
-    located.push_back(*at);
+    out.places.push_back((*located)[i].place);
+    out.along.push_back((*located)[i].along);
   }
   auto repeated = repeats(requirements, given);
   if (!repeated) return tl::make_unexpected(repeated.error());
@@ -259,7 +161,8 @@ Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules
   out.first_there = first_there(requirements, *stencils);
   Equations equations(out);
   for (std::size_t i = 0; i < requirements.size(); ++i) {
-    if (auto ok = equations.add(requirements[i], i, located[i], std::move((*stencils)[i])); !ok) {
+    if (auto ok = equations.add(requirements[i], i, (*located)[i], std::move((*stencils)[i]));
+        !ok) {
       return tl::make_unexpected(ok.error());
     }
   }

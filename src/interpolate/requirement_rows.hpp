@@ -50,9 +50,9 @@ struct RequirementRows {
   std::vector<std::size_t> first_there;
 };
 
-/// Fails, naming the requirement, on vertices, places or neighbours that do not exist, numbers that
-/// are not finite, normals and directions of length 0, and where the surface has no such tangent.
-/// With `contradictory`, naming both, if two say different things of one vertex or of its tangents.
+/// Fails where check_requirements() does; with `contradictory`, naming the requirement, where the
+/// surface has no such tangent or no tangent plane, and, naming all, if two say different things of
+/// one vertex or of its tangents.
 [[nodiscard]] Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules,
                                                        const Mesh& given,
                                                        std::span<const Requirement> requirements,

@@ -72,7 +72,10 @@ Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh, const Rule
                           topology->faces_at(v) == 1;
     const bool on_boundary = topology->is_boundary(v) && !topology->is_isolated(v);
     const int allowed = on_boundary ? 0 : 1;  // one crease is a dart
-    if (topology->is_isolated(v) || topology->is_bowtie(v) || sharp[v] > allowed || one_face) {
+    const bool two_faces =
+        rules.scheme == Scheme::catmull_clark && !on_boundary && topology->faces_at(v) == 2;
+    if (two_faces || topology->is_isolated(v) || topology->is_bowtie(v) || sharp[v] > allowed ||
+        one_face) {
       continue;
     }
     const Point& n = normals[v];

@@ -347,10 +347,11 @@ void judge_residual(const SimilarityPrepared& prepared, const FreeOutcome& outco
     report.solve.notes.emplace_back(
         "no iterations were allowed: the free vertices are those of the reference");
   } else if (!report.solver_converged) {
-    report.solve.notes.push_back(fmt::format(
-        "the residual is {:.3g} of that at the start after {} iterations, above the solver's "
-        "tolerance {:.3g}; the surface interpolates all the same",
-        report.residual, outcome.iterations, options.solver_tolerance));
+    report.solve.notes.push_back(
+        fmt::format("the residual is {:.3g} of that at the start after {}, above the solver's "
+                    "tolerance {:.3g}; the surface interpolates all the same",
+                    report.residual, counted(outcome.iterations, "iteration", "iterations"),
+                    options.solver_tolerance));
   }
 }
 
@@ -569,7 +570,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   }
   SimilaritySolution solution =
       solution_of(prepared, *found, control.points, limits, targets, context);
-  const double extent = bounding_box(points).side();
+  const double extent = bounding_box(targets).side();
   const double side = extent > 0 ? extent : 1;
   if (auto ok = check_planes(requirements, *equations, control.points, side, found->opposed); !ok) {
     return tl::make_unexpected(ok.error());
@@ -580,7 +581,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   solution.report.requirements = std::move(*outcomes);
   mark_redundant(*equations, *found, solution.report.requirements);
   note_lengths(*equations, requirements, solution.report);
-  judge_outcomes(requirements, points, side, solution.report);
+  judge_outcomes(requirements, targets, side, solution.report);
   solution.targets = std::move(targets);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());

@@ -5,6 +5,7 @@
 #include "io/bytes.hpp"
 #include "io/formats.hpp"
 #include "io/readers.hpp"
+#include "mesh/wording.hpp"
 
 namespace surpass {
 namespace {
@@ -80,8 +81,8 @@ Result<LoadedMesh> parse(std::string_view bytes, Format format, const std::strin
 void keep_points_only(LoadedMesh& loaded) {
   Mesh& mesh = loaded.mesh;
   if (mesh.face_count() > 0) {
-    loaded.notices.push_back(
-        fmt::format("only the points are used; {} faces are left out", mesh.face_count()));
+    loaded.notices.push_back(fmt::format("only the points are used; {} left out",
+                                         counted(mesh.face_count(), "face is", "faces are")));
   }
   Mesh points;
   points.points = std::move(mesh.points);

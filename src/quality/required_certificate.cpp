@@ -91,17 +91,17 @@ Result<RequiredCertificate> certify_required(const Mesh& control, const Mesh& gi
   if (!equations) return tl::make_unexpected(equations.error());
   const auto limits = given_limit_points(*refined, given, rules, context);
   if (!limits) return tl::make_unexpected(limits.error());
-  const double extent = bounding_box(given.points).side();
+  RequiredCertificate certificate;
+  aim(*equations, *limits, given, certificate);
+  const double extent = bounding_box(certificate.targets).side();
   const double side = extent > 0 ? extent : 1;
   if (auto ok = check_tangents_exist(requirements, *equations, *refined, side); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  RequiredCertificate certificate;
   auto outcomes =
       requirement_outcomes(*refined, rules, *limits, *equations, requirements, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   certificate.outcomes = std::move(*outcomes);
-  aim(*equations, *limits, given, certificate);
   auto vertices = compare_points(*limits, certificate.targets, "surpass");
   if (!vertices) return tl::make_unexpected(vertices.error());
   certificate.vertices = std::move(*vertices);

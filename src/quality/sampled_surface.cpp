@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/wording.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
 namespace surpass {
@@ -27,8 +28,8 @@ Result<void> check(const Mesh& control, int levels, int rings) {
   const double corners = std::ldexp(static_cast<double>(control.corner_count()), 2 * levels);
   if (corners > static_cast<double>(kNone)) {
     return fail(ErrorCode::too_large,
-                fmt::format("after {} levels the mesh would have {:.3g} face corners; take fewer",
-                            levels, corners));
+                fmt::format("after {} the mesh would have {:.3g} face corners; take fewer",
+                            counted(static_cast<std::size_t>(levels), "level", "levels"), corners));
   }
   return {};
 }
@@ -151,10 +152,12 @@ Result<MeasuredPart> measured_part(const SampledSurface& surface,
   part.coverage.degenerate_samples = surface.degenerate_samples;
   if (part.coverage.measured_patches == 0) {
     return fail(ErrorCode::unsuitable_for_scheme,
-                fmt::format("nothing of the surface is left to measure after {} levels: each of "
-                            "its {} patches is at a boundary or crease, or within {} rings of an "
-                            "extraordinary vertex; take more levels or leave out fewer rings",
-                            surface.levels, samples.patch_count(), rings));
+                fmt::format("nothing of the surface is left to measure after {}: all of its {} "
+                            "at a boundary or crease, or within {} of an extraordinary vertex; "
+                            "take more levels or leave out fewer rings",
+                            counted(static_cast<std::size_t>(surface.levels), "level", "levels"),
+                            counted(samples.patch_count(), "patch is", "patches are"),
+                            counted(static_cast<std::size_t>(rings), "ring", "rings")));
   }
   part.coverage.samples = static_cast<std::size_t>(
       std::count_if(part.measure.begin(), part.measure.end(), [](double m) { return m > 0; }));

@@ -127,6 +127,7 @@ class CatmullClarkFace final : public FaceEvaluator {
     stencil.dvv = pick(rows.dvv);
     stencil.tangent_u = pick(rows.tangent_u);
     stencil.tangent_v = pick(rows.tangent_v);
+    stencil.has_plane = rows.has_plane;
     return stencil;
   }
 

@@ -40,22 +40,30 @@ Mask spoke_tangent(const FaceRing& ring, std::size_t spoke) {
   return curve_tangent(ring, spoke);
 }
 
+struct Plane {
+  Tangents tangents;
+  bool exists;  // and the tangents are no stand-ins
+};
+
 // The tangents of the sector that the face lies in; of a corner's sector without a tangent plane,
 // those of the face itself.
-Tangents plane(const RingPlace& corner) {
+Plane plane(const RingPlace& corner) {
   const FaceRing& ring = corner.ring;
   const VertexRule rule = ring.rule();
   const std::vector<Tangents> all = tangent_masks(ring);
-  if (rule == VertexRule::smooth || rule == VertexRule::dart) return all.front();
   const std::size_t n = ring.size();
+  if (rule == VertexRule::smooth) return {all.front(), n > 2};
+  if (rule == VertexRule::dart) return {all.front(), true};
+  // A corner that no two sharp edges cut has a sector for each face, none of which has a plane.
+  const bool is_cut = ring.sharp_spokes().size() >= 2;
   std::size_t at = 0;
   for (const Sector& sector : sectors(ring)) {
     const bool by_face = rule == VertexRule::corner && sector.faces > 2;
     const std::size_t offset = (corner.face + n - sector.begin) % n;
-    if (offset < sector.faces) return all[at + (by_face ? offset : 0)];
+    if (offset < sector.faces) return {all[at + (by_face ? offset : 0)], is_cut && !by_face};
     at += by_face ? sector.faces : 1;
   }
-  return all.front();
+  return {all.front(), true};
 }
 
 }  // namespace
@@ -71,9 +79,10 @@ PlaceRows vertex_rows(const RingPlace& corner, std::size_t points) {
   rows.position = spread(limit_mask(ring));
   rows.du = spread(spoke_tangent(ring, corner.face));
   rows.dv = spread(spoke_tangent(ring, corner.next_spoke()));
-  const Tangents t = plane(corner);
-  rows.tangent_u = spread(t.first);
-  rows.tangent_v = spread(t.second);
+  const Plane there = plane(corner);
+  rows.tangent_u = spread(there.tangents.first);
+  rows.tangent_v = spread(there.tangents.second);
+  rows.has_plane = there.exists;
   return rows;
 }
 

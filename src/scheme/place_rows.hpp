@@ -10,6 +10,7 @@ namespace surpass {
 /// As in SurfaceStencil, over all points; empty where there is none.
 struct PlaceRows {
   Mask position, du, dv, duu, duv, dvv, tangent_u, tangent_v;
+  bool has_plane = true;
 
   [[nodiscard]] std::array<Mask*, 8> all() {
     return {&position, &du, &dv, &duu, &duv, &dvv, &tangent_u, &tangent_v};

@@ -143,7 +143,7 @@ TEST_F(RequiredCheck, NotesOppositeSigns) {
   for (json& c : opposite["normal"]) c = -c.get<double>();
   const json report = check({"--requirements", list({opposite})}, 0);
   EXPECT_EQ(report["requirements"][0]["flipped"], true);
-  EXPECT_TRUE(says("1 of 1 requirements were met with the opposite sign")) << outcome_.err;
+  EXPECT_TRUE(says("1 of 1 requirement was met with the opposite sign")) << outcome_.err;
 }
 
 TEST_F(RequiredCheck, NormalsOfTheGivenFile) {
@@ -207,7 +207,7 @@ TEST_F(RequiredCheck, RefusesWhatCannotBeMeant) {
   const json report = check({"--requirements", list({kPosition})}, 3);
   EXPECT_EQ(report["failure"]["code"], "mismatch");
   given_ = kept;
-  check({"--requirements", list({kPosition, {{"vertex", 5000}, {"remove", true}}})}, 1);
+  check({"--requirements", list({kPosition, {{"vertex", 5000}, {"remove", true}}})}, 2);
   EXPECT_TRUE(says("requirement 1 (remove at vertex 5000)")) << outcome_.err;
   check({"--requirements", list({kMoved, {{"vertex", 13}, {"remove", true}}})}, 3);
   check({"--requirements", folder_ / "missing.json"}, 2);

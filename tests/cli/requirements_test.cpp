@@ -48,11 +48,44 @@ TEST_F(Requirements, AreMetAndReported) {
     for (const json& r : requirements) EXPECT_LT(r["error"], 1e-14) << r;
     EXPECT_EQ(requirements[0]["redundant"], false);
     EXPECT_EQ(requirements[6]["redundant"], true);
-    EXPECT_NE(outcome.err.find("follow from the others"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("follows from the others"), std::string::npos) << outcome.err;
     const Mesh control = read_mesh(control_)->mesh;
     const auto limits = limit_positions(control, {Scheme::catmull_clark}).value();
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(limits[13][c], 1, 1e-13);
   }
+}
+
+TEST_F(Requirements, AnglesAreReported) {
+  const std::string report_path = folder_ / "report.json";
+  ASSERT_EQ(run(list({kNormal, kPosition, kDirection}), {"--report", report_path}).status, 0);
+  const json report = json::parse(slurp(report_path));
+  EXPECT_EQ(Schema(SURPASS_SCHEMA).complaint(report.dump()), "");
+  const json& requirements = report["similarity"]["requirements"];
+  EXPECT_TRUE(requirements[0].contains("angle"));
+  EXPECT_FALSE(requirements[1].contains("angle"));
+  EXPECT_LT(requirements[2]["angle"], 1e-7);
+}
+
+// Whatever is wrong with the file is said of the file, with one exit code.
+TEST_F(Requirements, WrongEntriesNameTheFile) {
+  const std::string path = folder_ / "requirements.json";
+  const auto refused = [&](const std::string& text, const std::string& sentence) {
+    const Outcome outcome =
+        surpass({"interpolate", data("quad_torus.obj"), "-o", control_, "--method", "similarity",
+                 "--requirements", folder_.file("requirements.json", text)});
+    EXPECT_EQ(outcome.status, 2) << text << outcome.err;
+    EXPECT_NE(outcome.err.find(path), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+  };
+  const auto with = [](const std::string& entry) { return "{\"requirements\": [" + entry + "]}"; };
+  refused(with(R"({"vertex": 99999, "normal": [0, 0, 1]})"), "requirement 0 (normal at vertex");
+  refused(with(R"({"face": 99999, "uv": [0, 0], "normal": [0, 0, 1]})"), "there are");
+  refused(with(R"({"vertex": 0, "towards": 99999, "direction": [0, 0, 1]})"), "no edge leads");
+  refused(with(R"({"vertex": 2, "remove": true}, {"vertex": 0, "vertex": 1, "remove": true})"),
+          "requirement 1: \"vertex\" is there more than once");
+  refused(with(R"({"vertex": 0, "normal": [0, 0, 1], "position": [0, 0, 1]})"),
+          "exactly one of position, normal, direction, derivative and remove; it has position and "
+          "normal");
 }
 
 TEST_F(Requirements, ContradictionsAreNamedAndNothingIsWritten) {

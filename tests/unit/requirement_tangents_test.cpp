@@ -226,5 +226,71 @@ TEST(RequirementTangents, WhereNoLengthIsLeftAllThatTakePartAreNamed) {
       {"no surface was found", "0 (position", "1 (position", "2 (position", "3 (direction"});
 }
 
+// There the normals of the surface are stand-ins, and would be reported as met.
+TEST(RequirementTangents, ANormalNeedsATangentPlane) {
+  Mesh sharp = test::cube();
+  sharp.corners.push_back({0, kInfinitelySharp});
+  Mesh pinched = test::cube();
+  pinched = test::split_edge(pinched, pinched.face(0)[0], pinched.face(0)[1], {-2, -2, -2});
+  const Index added = pinched.vertex_count() - 1;
+  for (const auto& [mesh, v] : {std::pair{sharp, Index{0}}, std::pair{pinched, added}}) {
+    const auto result =
+        interpolate_required(mesh, std::vector{wish(Kind::normal, v, kNone, {0, 0, 1})}, {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::contradictory);
+    EXPECT_NE(result.error().message.find("no tangent plane"), std::string::npos);
+    EXPECT_EQ(result.error().place.vertex, v);
+    const std::vector<Point> normals(mesh.points.size(), Point{0, 0, 1});
+    const auto elsewhere = normals_everywhere(mesh, {Scheme::catmull_clark}, normals).value();
+    for (const Requirement& r : elsewhere) EXPECT_NE(r.vertex, v);
+  }
+}
+
+// What is returned at an interior vertex of valence 2 is a stand-in: no plane is there that the
+// normals nearby tend to. They swing about it, to the other side with each halving.
+TEST(RequirementTangents, NormalsNearValenceTwoSwingAboutTheStandIn) {
+  Mesh mesh = test::cube();
+  mesh = test::split_edge(mesh, mesh.face(0)[0], mesh.face(0)[1], {-2, -2, -2});
+  const LimitSurface surface =
+      LimitSurface::create(refine(mesh, {Scheme::catmull_clark}, 1).value(),
+                           {Scheme::catmull_clark})
+          .value();
+  const Index corner = corner_of(mesh, mesh.vertex_count() - 1);
+  const SurfaceSample there = surface.evaluate({corner, 0, 0}).value();
+  EXPECT_FALSE(surface.stencil({corner, 0, 0}).value().has_plane);
+  EXPECT_EQ(there.du, Point{});
+  EXPECT_NEAR(length(there.normal), 1, 1e-14);
+  const auto off = [&](int k) {
+    const double u = std::ldexp(1.0, -k);
+    Point n = surface.evaluate({corner, u, u}).value().normal;
+    for (std::size_t c = 0; c < 3; ++c) n[c] -= there.normal[c];
+    return n;
+  };
+  for (int k = 10; k < 16; ++k) {
+    const Point a = off(k);
+    const Point b = off(k + 1);
+    EXPECT_GT(length(a), 1e-3);
+    EXPECT_LT(a[0] * b[0] + a[1] * b[1] + a[2] * b[2], 0) << k;
+  }
+}
+
+// One box for all errors of a report: that of what the surface shall pass through.
+TEST(RequirementTangents, ErrorsAreRelativeToTheMovedPoints) {
+  Requirement away = wish(Kind::position, 0, kNone, {1e12, 0, 0});
+  const auto found = interpolate_required(test::cube(), std::vector{away}, {});
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_TRUE(found->report.solve.converged);
+  EXPECT_LT(found->report.requirements[0].error, 1e-14);
+}
+
+TEST(RequirementTangents, NotesAreRightInTheSingular) {
+  const std::vector<Requirement> one = {wish(Kind::normal, 0, kNone, {0, 0, 1})};
+  const std::vector<RequirementOutcome> outcomes = {{.redundant = true, .error = 1}};
+  const auto notes = notes_on(one, outcomes, 1e-10);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[0].rfind("1 of 1 requirement was dropped, for it follows", 0), 0U) << notes[0];
+  EXPECT_EQ(notes[1].rfind("1 of 1 requirement was missed", 0), 0U) << notes[1];
+}
+
 }  // namespace
 }  // namespace surpass

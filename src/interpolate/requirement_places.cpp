@@ -1,0 +1,139 @@
+#include "interpolate/requirement_places.hpp"
+
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "interpolate/requirement_rows.hpp"
+#include "scheme/quarter.hpp"
+
+namespace surpass {
+namespace {
+
+using Kind = Requirement::Kind;
+
+bool is_finite(const Point& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+// A corner of each vertex, the first in the order of faces; kNone for isolated ones.
+std::vector<Index> first_corners(const Mesh& given) {
+  std::vector<Index> first(given.vertex_count(), kNone);
+  for (Index c = given.corner_count(); c > 0; --c) first[given.face_vertices[c - 1]] = c - 1;
+  return first;
+}
+
+class Locator {
+ public:
+  Locator(const Mesh& given, std::span<const Requirement> requirements)
+      : given_(given), corners_(first_corners(given)) {
+    for (const Requirement& r : requirements) edges_needed_ = edges_needed_ || r.towards != kNone;
+    for (Index f = 0; edges_needed_ && f < given.face_count(); ++f) {
+      const auto face = given.face(f);
+      for (std::size_t k = 0; k < face.size(); ++k) {
+        const Index corner = given.face_offsets[f] + static_cast<Index>(k);
+        leaving_[{face[k], face[(k + 1) % face.size()]}] = corner;
+        before_[{face[(k + 1) % face.size()], face[k]}] =
+            given.face_offsets[f] + static_cast<Index>((k + 1) % face.size());
+      }
+    }
+  }
+
+  [[nodiscard]] Result<LocatedRequirement> locate(const Requirement& r, std::size_t number) const {
+    if (r.vertex == kNone) return on_face(r, number);
+    if (r.vertex >= given_.vertex_count()) {
+      return refuse_requirement(r, number,
+                                fmt::format("there are {} vertices", given_.vertex_count()));
+    }
+    const Index corner = corners_[r.vertex];
+    if (corner == kNone) return refuse_requirement(r, number, "the vertex has no face");
+    if (r.towards == kNone) {
+      if (r.kind == Kind::direction || r.kind == Kind::derivative) {
+        return refuse_requirement(r, number,
+                                  "at a vertex, a derivative has to name the neighbour it goes to");
+      }
+      return LocatedRequirement{{corner, 0, 0}, r.along};
+    }
+    if (const auto at = leaving_.find({r.vertex, r.towards}); at != leaving_.end()) {
+      return LocatedRequirement{{at->second, 0, 0}, {1, 0}};
+    }
+    if (const auto at = before_.find({r.vertex, r.towards}); at != before_.end()) {
+      return LocatedRequirement{{at->second, 0, 0}, {0, 1}};
+    }
+    return refuse_requirement(r, number, fmt::format("no edge leads to vertex {}", r.towards));
+  }
+
+ private:
+  [[nodiscard]] Result<LocatedRequirement> on_face(const Requirement& r, std::size_t number) const {
+    const SurfacePlace& p = r.place;
+    if (r.kind == Kind::remove)
+      return refuse_requirement(r, number, "only vertices can be removed");
+    if (p.face >= given_.face_count()) {
+      return refuse_requirement(r, number, fmt::format("there are {} faces", given_.face_count()));
+    }
+    const auto m = static_cast<Index>(given_.face(p.face).size());
+    if (p.corner == kNone ? m != 4 : p.corner >= m) {
+      return refuse_requirement(
+          r, number,
+          fmt::format("the face has {} vertices; {}", m,
+                      p.corner == kNone ? "name one of its corners" : "corners count from 0"));
+    }
+    if (!(p.u >= 0 && p.u <= 1 && p.v >= 0 && p.v <= 1)) {
+      return refuse_requirement(r, number, "parameters lie between 0 and 1");
+    }
+    LocatedRequirement located{{}, r.along};
+    located.place = refined_place(given_, p, located.along);
+    return located;
+  }
+
+  const Mesh& given_;
+  std::vector<Index> corners_;
+  bool edges_needed_ = false;
+  std::map<std::array<Index, 2>, Index> leaving_;  // a corner whose next vertex is the second
+  std::map<std::array<Index, 2>, Index> before_;   // a corner whose previous vertex is the second
+};
+
+Result<void> check_numbers(const Requirement& r, std::size_t number) {
+  if (r.kind == Kind::remove) return {};
+  if (!is_finite(r.value)) return refuse_requirement(r, number, "its numbers are not finite");
+  const bool has_direction = r.kind == Kind::normal || r.kind == Kind::direction;
+  if (has_direction && r.value == Point{})
+    return refuse_requirement(r, number, "it has the length 0");
+  const bool has_along = r.kind == Kind::direction || r.kind == Kind::derivative;
+  if (!has_along) return {};
+  const auto [a, b] = r.along;
+  if (!std::isfinite(a) || !std::isfinite(b) || (a == 0 && b == 0)) {
+    return refuse_requirement(r, number, "it has no direction of derivative");
+  }
+  return {};
+}
+
+}  // namespace
+
+tl::unexpected<Error> refuse_requirement(const Requirement& r, std::size_t number,
+                                         std::string_view why, ErrorCode code) {
+  return fail(code, fmt::format("requirement {} ({}): {}", number, describe(r), why), place_of(r));
+}
+
+Result<std::vector<LocatedRequirement>> located_requirements(
+    const Mesh& given, std::span<const Requirement> requirements) {
+  const Locator locator(given, requirements);
+  std::vector<LocatedRequirement> located;
+  located.reserve(requirements.size());
+  for (std::size_t i = 0; i < requirements.size(); ++i) {
+    if (auto ok = check_numbers(requirements[i], i); !ok) return tl::make_unexpected(ok.error());
+    const auto at = locator.locate(requirements[i], i);
+    if (!at) return tl::make_unexpected(at.error());
+    located.push_back(*at);
+  }
+  return located;
+}
+
+Result<void> check_requirements(const Mesh& given, std::span<const Requirement> requirements) {
+  const auto located = located_requirements(given, requirements);
+  if (!located) return tl::make_unexpected(located.error());
+  return {};
+}
+
+}  // namespace surpass
