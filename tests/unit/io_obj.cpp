@@ -97,7 +97,7 @@ TEST(Obj, ColoursNeedEveryVertex) {
   EXPECT_TRUE(partly.mesh.channels.empty());
   EXPECT_EQ(partly.notices.at(0), "1 of 3 vertices have a colour; these colours are left out");
   EXPECT_EQ(partly.notices.at(1),
-            "1 vertices have a weight other than 1; positions are kept as they stand");
+            "1 vertex has a weight other than 1; positions are kept as they stand");
 }
 
 TEST(Obj, GroupsObjectsMaterialsAndSmoothing) {

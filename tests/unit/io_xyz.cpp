@@ -87,7 +87,7 @@ TEST(Points, LeaveFacesOut) {
   ASSERT_TRUE(points);
   EXPECT_EQ(points->mesh.face_count(), 0U);
   ASSERT_EQ(points->notices.size(), 1U);
-  EXPECT_NE(points->notices[0].find("1 faces are left out"), std::string::npos);
+  EXPECT_NE(points->notices[0].find("1 face is left out"), std::string::npos);
 }
 
 TEST(Xyz, ComesBackBitForBit) {
