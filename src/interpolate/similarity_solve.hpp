@@ -1,0 +1,42 @@
+// The control values that interpolate given numbers and resemble a reference: a solve of similarity
+// interpolation, for points or for a channel.
+#pragma once
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "interpolate/requirement_rows.hpp"
+#include "interpolate/similarity_prepared.hpp"
+
+namespace surpass {
+
+struct Wanted {
+  std::span<const double> given;      // #given by width
+  std::span<const double> reference;  // #given or #control by width; empty: the given points
+  std::size_t width;
+  bool positions;  // and not a channel
+  const Elimination& elimination;
+  const RequirementRows* equations = nullptr;  // besides the given vertices; for positions
+  std::span<const Requirement> requirements = {};
+};
+
+// Control values, #control by width, and how they were found.
+struct Found {
+  std::vector<double> values;
+  std::vector<double> reference;
+  std::vector<double> scale;
+  FreeOutcome outcome;
+  std::vector<unsigned char> redundant;  // #requirements
+  std::set<std::size_t> opposed;         // LinearConstraints::opposed()
+};
+
+[[nodiscard]] Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
+                                 const Context& context);
+
+/// What find() makes the values resemble, #control by width.
+[[nodiscard]] Result<std::vector<double>> reference_of(const SimilarityPrepared& prepared,
+                                                       const Wanted& wanted,
+                                                       const Context& context);
+
+}  // namespace surpass
