@@ -25,7 +25,7 @@ struct LaneVectors {
   alignas(kLaneAlignment) Real of[3][kLanes<Real>];  // by coordinate
 
   void clear(std::size_t lane) {
-    for (std::size_t c = 0; c < 3; ++c) of[c][lane] = 0;
+    for (auto& numbers : of) numbers[lane] = 0;
   }
   void add_to(std::size_t lane, Real* p) const {
     for (std::size_t c = 0; c < 3; ++c) p[c] += of[c][lane];

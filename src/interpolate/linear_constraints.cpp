@@ -191,6 +191,47 @@ NearRows nearly_dependent(const Rows& rows, const IndependentRows& found, Skip&&
   return result;
 }
 
+// Of the equations: their values in units, and as they were given; and what rows are multiplied
+// with to have length 1, 0 where free points say nothing.
+struct Values {
+  Vector in_units;
+  Vector absolute;
+  Vector factor;
+};
+
+Values values_of(const RequirementRows& equations, std::span<const Requirement> requirements,
+                 const BothRows& rows, const LinearConstraints::Units& units) {
+  const auto count = static_cast<Eigen::Index>(equations.rows.size());
+  Values values{Vector(count), Vector(count), Vector(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const RequirementRow& row = equations.rows[static_cast<std::size_t>(i)];
+    values.in_units[i] = value_in_units(row, requirements[row.requirement], units);
+    values.absolute[i] = row.value;
+    const double length = rows.all.row(i).norm();
+    const double left = rows.free.row(i).norm();
+    values.factor[i] = left > kNothing * length ? 1 / left : 0;
+  }
+  return values;
+}
+
+// The equations that are solved for, as sums of all. What a nearly dependent row has of its own
+// takes its place, at full length.
+Rows picked_rows(const IndependentRows& found, const NearRows& near, const Vector& factor) {
+  Triplets picked;
+  int place = 0;
+  for (const int row : found.independent) picked.emplace_back(place++, row, factor[row]);
+  for (const DependentRow& d : near.kept) {
+    picked.emplace_back(place, d.row, factor[d.row] / d.distance);
+    for (const auto& [other, share] : d.shares) {
+      picked.emplace_back(place, other, -share / d.distance * factor[other]);
+    }
+    ++place;
+  }
+  Rows pick(place, factor.size());
+  pick.setFromTriplets(picked.begin(), picked.end());
+  return pick;
+}
+
 }  // namespace
 
 Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equations,
@@ -199,29 +240,22 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
                                                    std::span<const double> targets,
                                                    const Units& units) {
   const Elimination& elimination = system.elimination;
-  const auto count = static_cast<Eigen::Index>(equations.rows.size());
-  BothRows rows = both_rows(equations, elimination);
+  const BothRows rows = both_rows(equations, elimination);
   // What the equations are where all free points are 0.
   std::vector<double> fixed(std::size_t{3} * elimination.control_count(), 0.0);
   elimination.meet(system.context, 3, targets, fixed);
   const Eigen::Map<const Vector> start(fixed.data(), static_cast<Eigen::Index>(fixed.size()));
   const Vector at_start = rows.all * start;
-  Vector value(count);
-  Vector absolute(count);
-  Vector factor(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
+  const Values values = values_of(equations, requirements, rows, units);
+  for (Eigen::Index i = 0; i < values.factor.size(); ++i) {
     const RequirementRow& row = equations.rows[static_cast<std::size_t>(i)];
-    value[i] = value_in_units(row, requirements[row.requirement], units);
-    absolute[i] = row.value;
-    const double length = rows.all.row(i).norm();
-    const double left = rows.free.row(i).norm();
-    factor[i] = left > kNothing * length ? 1 / left : 0;
-    if (factor[i] == 0 && !row.chosen && std::abs(value[i] - at_start[i]) > kHolds) {
-      return contradiction({}, row.requirement, std::abs(value[i] - at_start[i]), requirements);
+    const double missed = std::abs(values.in_units[i] - at_start[i]);
+    if (values.factor[i] == 0 && !row.chosen && missed > kHolds) {
+      return contradiction({}, row.requirement, missed, requirements);
     }
   }
-  const Rows scaled = factor.asDiagonal() * rows.free;
-  const Vector wanted = factor.cwiseProduct(value - at_start);
+  const Rows scaled = values.factor.asDiagonal() * rows.free;
+  const Vector wanted = values.factor.cwiseProduct(values.in_units - at_start);
   const IndependentRows found = independent_rows(scaled);
   if (system.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
   const auto requirement_of = [&](int row) {
@@ -240,7 +274,7 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
       constexpr double kMatters = 1e-6;
       if (std::abs(share) > kMatters) others.insert(requirement_of(other));
     }
-    if (factor[d.row] == 0 || std::abs(rest) <= kHolds) return {};
+    if (values.factor[d.row] == 0 || std::abs(rest) <= kHolds) return {};
     if (is_chosen(d.row)) {
       contents->opposed.merge(others);
       return {};
@@ -260,28 +294,13 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
   const auto is_needed = [&](int row) {
     if (!is_chosen(row)) contents->redundant[requirement_of(row)] = 0;
   };
-  const auto kept = static_cast<Eigen::Index>(found.independent.size() + near.kept.size());
-  Rows pick(kept, count);
-  Triplets picked;
-  int place = 0;
-  for (const int row : found.independent) {
-    picked.emplace_back(place++, row, factor[row]);
-    is_needed(row);
-  }
-  // What a nearly dependent row has of its own takes its place, at full length.
-  for (const DependentRow& d : near.kept) {
-    picked.emplace_back(place, d.row, factor[d.row] / d.distance);
-    for (const auto& [other, share] : d.shares) {
-      picked.emplace_back(place, other, -share / d.distance * factor[other]);
-    }
-    ++place;
-    is_needed(d.row);
-  }
-  pick.setFromTriplets(picked.begin(), picked.end());
+  for (const int row : found.independent) is_needed(row);
+  for (const DependentRow& d : near.kept) is_needed(d.row);
+  const Rows pick = picked_rows(found, near, values.factor);
   contents->all = pick * rows.all;
   contents->free = pick * rows.free;
-  contents->value = pick * value;
-  contents->absolute_value = pick * absolute;
+  contents->value = pick * values.in_units;
+  contents->absolute_value = pick * values.absolute;
   const FreePreconditioner preconditioner(system);
   contents->downward = inverse_blocks(preconditioner, elimination.control_count()) *
                        Rows(contents->free.transpose());
