@@ -144,15 +144,11 @@ FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
     return now;
   };
   if (system.constraints != nullptr) system.constraints->keep(direction);
-  double rho = 0;
-  if (const double curvature = system.product(precision, direction, image); curvature > 0) {
-    const double length = -system.dot(direction, gradient) / curvature;
-    rho = go(length).rho;
-    turn(system, preconditioner, length, 0, gradient, direction, x);
-  } else {
-    rho = descend(system, preconditioner, 0, image, gradient).rho;
-    turn(system, preconditioner, 0, 0, gradient, direction, x);
-  }
+  const double bending = system.product(precision, direction, image);
+  const double reach = bending > 0 ? -system.dot(direction, gradient) / bending : 0;
+  double rho =
+      bending > 0 ? go(reach).rho : descend(system, preconditioner, 0, image, gradient).rho;
+  turn(system, preconditioner, reach, 0, gradient, direction, x);
   while (rho > 0 && progress.goes_on()) {
     const double curvature = system.product(precision, direction, image);
     if (!(curvature > 0)) break;  // nothing is left but what the energy does not see
