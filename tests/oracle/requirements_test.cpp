@@ -1,4 +1,6 @@
 // Requirements on surfaces, as OpenSubdiv evaluates them.
+#include "support/requirements.hpp"
+
 #include <surpass/oracle.hpp>
 
 #include <gtest/gtest.h>
@@ -18,16 +20,6 @@ double distance(const Point& a, const Point& b) {
   return norm({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
 }
 
-Requirement on_face(Requirement::Kind kind, const SurfacePlace& place, const Point& value,
-                    const std::array<double, 2>& along = {1, 0}) {
-  Requirement r;
-  r.kind = kind;
-  r.place = place;
-  r.value = value;
-  r.along = along;
-  return r;
-}
-
 SimilarityOptions options_of(Similarity form) {
   SimilarityOptions options;
   options.similarity = form;
@@ -45,14 +37,14 @@ void expect_all_kinds(const Mesh& mesh) {
     const SurfacePlace place{f, 0.5, 0.25};
     const SurfaceSample s = surface.evaluate(place).value();
     const double d = 0.03 * static_cast<double>(1 + f % 3);
-    all.push_back(on_face(Requirement::Kind::position, place,
-                          {s.position[0] + d, s.position[1], s.position[2] - d}));
-    all.push_back(on_face(Requirement::Kind::direction, {f, 0.2, 0.1},
-                          {s.du[0] + d, s.du[1] - d, s.du[2]}, {1, 0.25}));
-    all.push_back(on_face(Requirement::Kind::derivative, {f, 0.125, 0.375},
-                          {s.dv[0], s.dv[1] + d, s.dv[2]}, {0, 1}));
-    all.push_back(on_face(Requirement::Kind::normal, {f, 0.45, 0.05},
-                          {s.normal[0] + d, s.normal[1], s.normal[2]}));
+    all.push_back(test::on_face(Requirement::Kind::position, place,
+                                {s.position[0] + d, s.position[1], s.position[2] - d}));
+    all.push_back(test::on_face(Requirement::Kind::direction, {f, 0.2, 0.1},
+                                {s.du[0] + d, s.du[1] - d, s.du[2]}, {1, 0.25}));
+    all.push_back(test::on_face(Requirement::Kind::derivative, {f, 0.125, 0.375},
+                                {s.dv[0], s.dv[1] + d, s.dv[2]}, {0, 1}));
+    all.push_back(test::on_face(Requirement::Kind::normal, {f, 0.45, 0.05},
+                                {s.normal[0] + d, s.normal[1], s.normal[2]}));
     faces.push_back(f);
   }
   ASSERT_GT(faces.size(), 5U);

@@ -7,29 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "support/polygons.hpp"
+#include "support/requirements.hpp"
 
 namespace surpass {
 namespace {
 
 using Kind = Requirement::Kind;
 constexpr double kShort = 0.3;  // of the length that the tangent has without requirements
-
-Requirement wish(Kind kind, Index vertex, Index towards, const Point& value) {
-  Requirement r;
-  r.kind = kind;
-  r.vertex = vertex;
-  r.towards = towards;
-  r.value = value;
-  return r;
-}
-
-Requirement wish_on(Kind kind, const SurfacePlace& place, const Point& value) {
-  Requirement r;
-  r.kind = kind;
-  r.place = place;
-  r.value = value;
-  return r;
-}
 
 double length(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
 
@@ -110,10 +94,10 @@ TEST(RequirementTangents, AFlatSheetCanBeAskedToStandUpright) {
   std::vector<Index> corners;
   for (const Index v : rim) {
     const Index inner = inner_of(mesh, v);
-    upright.push_back(wish(Kind::direction, v, inner, {0, 0, 1}));
+    upright.push_back(test::towards(Kind::direction, v, inner, {0, 0, 1}));
     Point out = mesh.points[v];
     for (std::size_t c = 0; c < 3; ++c) out[c] -= mesh.points[inner][c];
-    normals.push_back(wish(Kind::normal, v, kNone, out));
+    normals.push_back(test::towards(Kind::normal, v, kNone, out));
     corners.push_back(corner_of(mesh, v));
   }
   expect_met(mesh, {upright[3]}, {corners[3]});
@@ -129,14 +113,14 @@ TEST(RequirementTangents, HardlyAnyLengthIsNoLength) {
   Point almost = {0, 0, 1};
   for (std::size_t c = 0; c < 2; ++c)
     almost[c] = 1e-6 * (mesh.points[inner][c] - mesh.points[v][c]);
-  expect_met(mesh, {wish(Kind::direction, v, inner, almost)}, {corner_of(mesh, v)});
+  expect_met(mesh, {test::towards(Kind::direction, v, inner, almost)}, {corner_of(mesh, v)});
 }
 
 TEST(RequirementTangents, NormalsAcrossTheSurfaceAreMet) {
-  expect_met(test::cube(), {wish_on(Kind::normal, {0, 0.5, 0.5}, {1, 0, 0})}, {});
+  expect_met(test::cube(), {test::on_face(Kind::normal, {0, 0.5, 0.5}, {1, 0, 0})}, {});
   const Mesh mesh = flat_sheet();
   const Index v = 24;  // in the middle
-  expect_met(mesh, {wish(Kind::normal, v, kNone, {1, 0, 0})}, {corner_of(mesh, v)});
+  expect_met(mesh, {test::towards(Kind::normal, v, kNone, {1, 0, 0})}, {corner_of(mesh, v)});
 }
 
 // What else is required at the place decides how the tangents lie.
@@ -147,10 +131,11 @@ TEST(RequirementTangents, PrescribedDerivativesStayBesideTurnedNormals) {
   for (const Kind kind : {Kind::derivative, Kind::direction}) {
     for (const Point& value : {Point{0, 0.3, 0}, Point{0, -0.3, 0}, Point{0, 0.3, -0.01}}) {
       SCOPED_TRACE(fmt::format("{} {} {}", name_of(kind), value[1], value[2]));
-      expect_met(mesh,
-                 {wish(kind, v, next, value), wish(Kind::normal, v, kNone, {1, 0, 0}),
-                  wish(Kind::normal, 10, kNone, {0, 0.1, 1})},
-                 {corner_of(mesh, v)});
+      expect_met(
+          mesh,
+          {test::towards(kind, v, next, value), test::towards(Kind::normal, v, kNone, {1, 0, 0}),
+           test::towards(Kind::normal, 10, kNone, {0, 0.1, 1})},
+          {corner_of(mesh, v)});
     }
   }
 }
@@ -159,7 +144,7 @@ TEST(RequirementTangents, ChosenLengthsHaveTheSameBitsForAnyNumberOfThreads) {
   const Mesh mesh = flat_sheet();
   std::vector<Requirement> all;
   for (const Index v : rim_of(mesh)) {
-    all.push_back(wish(Kind::direction, v, inner_of(mesh, v), {0, 0, 1}));
+    all.push_back(test::towards(Kind::direction, v, inner_of(mesh, v), {0, 0, 1}));
   }
   const auto one = interpolate_required(mesh, all, {}, {.threads = 1}).value();
   const auto two = interpolate_required(mesh, all, {}, {.threads = 2}).value();
@@ -184,14 +169,15 @@ TEST(RequirementTangents, AllThatExcludeEachOtherTogetherAreNamed) {
   const auto face = mesh.face(corner / 4);
   const Index next = face[(corner + 1) % 4];
   const Index before = face[(corner + 3) % 4];
-  expect_refusal(
-      mesh,
-      {wish(Kind::normal, 0, kNone, {0, 0, 1}), wish(Kind::direction, 0, next, {1, 0, 0}),
-       wish(Kind::normal, 6, kNone, {0, 0, 1}), wish(Kind::direction, 0, before, {1, 0, 0}),
-       wish(Kind::normal, 0, kNone, {0, 0, 1})},
-      {"contradict each other", "0 (normal at vertex 0)", "1 (direction at vertex 0",
-       "3 (direction at vertex 0"},
-      "2 (normal");
+  expect_refusal(mesh,
+                 {test::towards(Kind::normal, 0, kNone, {0, 0, 1}),
+                  test::towards(Kind::direction, 0, next, {1, 0, 0}),
+                  test::towards(Kind::normal, 6, kNone, {0, 0, 1}),
+                  test::towards(Kind::direction, 0, before, {1, 0, 0}),
+                  test::towards(Kind::normal, 0, kNone, {0, 0, 1})},
+                 {"contradict each other", "0 (normal at vertex 0)", "1 (direction at vertex 0",
+                  "3 (direction at vertex 0"},
+                 "2 (normal");
 }
 
 // Points of a cubic curve that rises from a given vertex and stands still at the last of them.
@@ -200,7 +186,7 @@ std::vector<Requirement> curve_that_stops(const Mesh& mesh, Index face) {
   std::vector<Requirement> all;
   for (const double t : {1.0 / 3, 2.0 / 3, 1.0}) {
     const double rise = 0.1 * (1 - std::pow(1 - t, 3));
-    all.push_back(wish_on(Kind::position, {face, t, 0, 0}, {start[0], start[1], rise}));
+    all.push_back(test::on_face(Kind::position, {face, t, 0, 0}, {start[0], start[1], rise}));
   }
   return all;
 }
@@ -209,7 +195,7 @@ std::vector<Requirement> curve_that_stops(const Mesh& mesh, Index face) {
 TEST(RequirementTangents, WhatFollowsByLargeSharesIsRedundant) {
   const Mesh mesh = flat_sheet();
   std::vector<Requirement> all = curve_that_stops(mesh, 14);
-  all.push_back(wish_on(Kind::derivative, {14, 1, 0, 0}, {}));
+  all.push_back(test::on_face(Kind::derivative, {14, 1, 0, 0}, {}));
   const auto found = interpolate_required(mesh, all, {});
   ASSERT_TRUE(found) << describe(found.error());
   EXPECT_TRUE(found->report.requirements[3].redundant);
@@ -220,7 +206,7 @@ TEST(RequirementTangents, WhatFollowsByLargeSharesIsRedundant) {
 TEST(RequirementTangents, WhereNoLengthIsLeftAllThatTakePartAreNamed) {
   const Mesh mesh = flat_sheet();
   std::vector<Requirement> all = curve_that_stops(mesh, 14);
-  all.push_back(wish_on(Kind::direction, {14, 1, 0, 0}, {0, 0, 1}));
+  all.push_back(test::on_face(Kind::direction, {14, 1, 0, 0}, {0, 0, 1}));
   expect_refusal(
       mesh, all,
       {"no surface was found", "0 (position", "1 (position", "2 (position", "3 (direction"});
@@ -234,8 +220,8 @@ TEST(RequirementTangents, ANormalNeedsATangentPlane) {
   pinched = test::split_edge(pinched, pinched.face(0)[0], pinched.face(0)[1], {-2, -2, -2});
   const Index added = pinched.vertex_count() - 1;
   for (const auto& [mesh, v] : {std::pair{sharp, Index{0}}, std::pair{pinched, added}}) {
-    const auto result =
-        interpolate_required(mesh, std::vector{wish(Kind::normal, v, kNone, {0, 0, 1})}, {});
+    const auto result = interpolate_required(
+        mesh, std::vector{test::towards(Kind::normal, v, kNone, {0, 0, 1})}, {});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::contradictory);
     EXPECT_NE(result.error().message.find("no tangent plane"), std::string::npos);
@@ -276,7 +262,7 @@ TEST(RequirementTangents, NormalsNearValenceTwoSwingAboutTheStandIn) {
 
 // One box for all errors of a report: that of what the surface shall pass through.
 TEST(RequirementTangents, ErrorsAreRelativeToTheMovedPoints) {
-  Requirement away = wish(Kind::position, 0, kNone, {1e12, 0, 0});
+  Requirement away = test::towards(Kind::position, 0, kNone, {1e12, 0, 0});
   const auto found = interpolate_required(test::cube(), std::vector{away}, {});
   ASSERT_TRUE(found) << describe(found.error());
   EXPECT_TRUE(found->report.solve.converged);
@@ -284,7 +270,7 @@ TEST(RequirementTangents, ErrorsAreRelativeToTheMovedPoints) {
 }
 
 TEST(RequirementTangents, NotesAreRightInTheSingular) {
-  const std::vector<Requirement> one = {wish(Kind::normal, 0, kNone, {0, 0, 1})};
+  const std::vector<Requirement> one = {test::towards(Kind::normal, 0, kNone, {0, 0, 1})};
   const std::vector<RequirementOutcome> outcomes = {{.redundant = true, .error = 1}};
   const auto notes = notes_on(one, outcomes, 1e-10);
   ASSERT_EQ(notes.size(), 2U);

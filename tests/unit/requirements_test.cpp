@@ -1,5 +1,7 @@
 // Requirements beside the given vertices: met exactly however far the solver comes, dropped where
 // they repeat, refused where they contradict, and of all surfaces that meet them the best one.
+#include "support/requirements.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/polygons.hpp"
@@ -18,22 +20,6 @@ SimilarityOptions options_with(Similarity form, unsigned iterations = 1000) {
   return options;
 }
 
-Requirement at_vertex(Kind kind, Index v, const Point& value = {}) {
-  Requirement r;
-  r.kind = kind;
-  r.vertex = v;
-  r.value = value;
-  return r;
-}
-
-Requirement on_face(Kind kind, const SurfacePlace& place, const Point& value) {
-  Requirement r;
-  r.kind = kind;
-  r.place = place;
-  r.value = value;
-  return r;
-}
-
 // Ten normals tilted, points on a regular and on irregular patches, a direction, a derivative.
 std::vector<Requirement> mixed_requirements(const Mesh& mesh, const Rules& rules) {
   const auto normals = limit_normals(mesh, rules).value();
@@ -41,7 +27,7 @@ std::vector<Requirement> mixed_requirements(const Mesh& mesh, const Rules& rules
   for (Index v = 0; v < 10; ++v) {
     Point n = normals[v];
     n[v % 3] += 0.2;
-    all.push_back(at_vertex(Kind::normal, v, n));
+    all.push_back(test::at_vertex(Kind::normal, v, n));
   }
   const LimitSurface surface = LimitSurface::create(mesh, rules).value();
   for (Index f = 12; f < mesh.face_count() && all.size() < 16; f += 3) {
@@ -49,14 +35,14 @@ std::vector<Requirement> mixed_requirements(const Mesh& mesh, const Rules& rules
     const SurfacePlace place{f, 0.5, 0.25, corner};
     SurfaceSample s = surface.evaluate(place).value();
     s.position[f % 3] += 0.05;
-    all.push_back(on_face(Kind::position, place, s.position));
+    all.push_back(test::on_face(Kind::position, place, s.position));
     const SurfacePlace other{f, 0.7, 0.4, corner};
     s = surface.evaluate(other).value();
-    Requirement direction = on_face(Kind::direction, other, s.du);
+    Requirement direction = test::on_face(Kind::direction, other, s.du);
     direction.value[0] += 0.1;
     direction.along = {0.8, -0.3};
     all.push_back(direction);
-    all.push_back(on_face(Kind::derivative, {f + 1, 0.2, 0.3, 0}, {0.3, -0.1, 0.2}));
+    all.push_back(test::on_face(Kind::derivative, {f + 1, 0.2, 0.3, 0}, {0.3, -0.1, 0.2}));
   }
   return all;
 }
@@ -115,8 +101,8 @@ TEST(Requirements, WhatTheSurfaceDoesAnywayChangesNothing) {
     for (Index f = 0; f < mesh.face_count(); f += 4) {
       // Quarter 1 of face f of the given mesh is a face of the control mesh.
       const auto s = surface.evaluate({mesh.face_offsets[f] + 1, 0.5, 0.25}).value();
-      all.push_back(on_face(Kind::position, {f, 0.5, 0.25, 1}, s.position));
-      all.push_back(on_face(Kind::normal, {f, 0.5, 0.25, 1}, s.normal));
+      all.push_back(test::on_face(Kind::position, {f, 0.5, 0.25, 1}, s.position));
+      all.push_back(test::on_face(Kind::normal, {f, 0.5, 0.25, 1}, s.normal));
     }
     const auto same = solver.solve_required(all, mesh.points).value();
     EXPECT_LT(test::max_distance(plain.points, same.points), 1e-8) << name_of(form);
@@ -129,8 +115,8 @@ TEST(Requirements, ParametersOfQuadsAreThoseOfTheGivenMesh) {
   const SimilarityOptions options = options_with(Similarity::vectors);
   // The same derivative on a quad and on its quarter 2, which is turned by two right angles and
   // half as wide.
-  Requirement whole = on_face(Kind::derivative, {5, 0.75, 0.875}, {0.9, 0.2, 0.3});
-  Requirement quarter = on_face(Kind::derivative, {5, 0.5, 0.25, 2}, {-0.45, -0.1, -0.15});
+  Requirement whole = test::on_face(Kind::derivative, {5, 0.75, 0.875}, {0.9, 0.2, 0.3});
+  Requirement quarter = test::on_face(Kind::derivative, {5, 0.5, 0.25, 2}, {-0.45, -0.1, -0.15});
   const auto a = interpolate_required(mesh, std::vector{whole}, options).value();
   const auto b = interpolate_required(mesh, std::vector{quarter}, options).value();
   EXPECT_LT(test::max_distance(a.control.points, b.control.points), 1e-12);
@@ -147,7 +133,7 @@ TEST(Requirements, RepeatedOnesAreDroppedAndReported) {
   const auto before = interpolate_required(mesh, all, options).value();
   const std::size_t count = all.size();
   all.insert(all.end(), all.begin(), all.begin() + 12);
-  all.push_back(on_face(Kind::position, {3, 0, 0, 0}, mesh.points[mesh.face(3)[0]]));
+  all.push_back(test::on_face(Kind::position, {3, 0, 0, 0}, mesh.points[mesh.face(3)[0]]));
   const auto after = interpolate_required(mesh, all, options);
   ASSERT_TRUE(after) << describe(after.error());
   EXPECT_LT(test::max_distance(before.control.points, after->control.points), 1e-10);
@@ -175,21 +161,22 @@ void expect_contradiction(const Mesh& mesh, const std::vector<Requirement>& all,
 TEST(Requirements, ContradictionsAreRefusedAndNamed) {
   const Mesh mesh = bumpy();
   const SurfacePlace place{6, 0.5, 0.25, 0};
-  const Requirement first = on_face(Kind::position, place, {1, 2, 3});
-  expect_contradiction(
-      mesh,
-      {at_vertex(Kind::normal, 9, {0, 0, 1}), first, on_face(Kind::position, place, {1, 2, 3.001})},
-      {"1 (position on face 6", "2 (position on face 6"});
-  expect_contradiction(
-      mesh,
-      {on_face(Kind::derivative, place, {1, 0, 0}), on_face(Kind::normal, place, {1, 0.2, 0})},
-      {"0 (derivative", "1 (normal"});
+  const Requirement first = test::on_face(Kind::position, place, {1, 2, 3});
+  expect_contradiction(mesh,
+                       {test::at_vertex(Kind::normal, 9, {0, 0, 1}), first,
+                        test::on_face(Kind::position, place, {1, 2, 3.001})},
+                       {"1 (position on face 6", "2 (position on face 6"});
+  expect_contradiction(mesh,
+                       {test::on_face(Kind::derivative, place, {1, 0, 0}),
+                        test::on_face(Kind::normal, place, {1, 0.2, 0})},
+                       {"0 (derivative", "1 (normal"});
   Point beside = mesh.points[mesh.face(3)[0]];
   beside[1] += 0.1;
-  expect_contradiction(mesh, {on_face(Kind::position, {3, 0, 0, 0}, beside)},
+  expect_contradiction(mesh, {test::on_face(Kind::position, {3, 0, 0, 0}, beside)},
                        {"0 (position on face 3", "given vertices"});
-  expect_contradiction(mesh, {at_vertex(Kind::position, 4, {0, 0, 0}), at_vertex(Kind::remove, 4)},
-                       {"0 (position at vertex 4)", "1 (remove at vertex 4)"});
+  expect_contradiction(
+      mesh, {test::at_vertex(Kind::position, 4, {0, 0, 0}), test::at_vertex(Kind::remove, 4)},
+      {"0 (position at vertex 4)", "1 (remove at vertex 4)"});
 }
 
 // Tangents of no length would meet the equations of all of these.
@@ -197,15 +184,15 @@ TEST(Requirements, TangentsThatExcludeEachOtherAreRefused) {
   const Mesh mesh = bumpy();
   const Index v = mesh.face(2)[0];
   const auto towards = [&](std::size_t k, Kind kind, Point value) {
-    Requirement r = at_vertex(kind, v, value);
+    Requirement r = test::at_vertex(kind, v, value);
     r.towards = mesh.face(2)[k];
     return r;
   };
-  const Requirement up = at_vertex(Kind::normal, v, {0, 0, 1});
+  const Requirement up = test::at_vertex(Kind::normal, v, {0, 0, 1});
   const std::vector<std::vector<Requirement>> pairs = {
-      {up, at_vertex(Kind::normal, v, {0, 1, 1})},
-      {up, at_vertex(Kind::normal, v, {0, 0, -1})},
-      {up, on_face(Kind::normal, {2, 0, 0, 0}, {0, 1e-6, 1})},
+      {up, test::at_vertex(Kind::normal, v, {0, 1, 1})},
+      {up, test::at_vertex(Kind::normal, v, {0, 0, -1})},
+      {up, test::on_face(Kind::normal, {2, 0, 0, 0}, {0, 1e-6, 1})},
       {up, towards(1, Kind::direction, {1, 0, 0.1})},
       {up, towards(1, Kind::derivative, {0, 0, 0})},
       {towards(1, Kind::direction, {1, 0, 0}), towards(1, Kind::direction, {1, 0.1, 0})},
@@ -217,7 +204,7 @@ TEST(Requirements, TangentsThatExcludeEachOtherAreRefused) {
   }
   // Three directions in one plane that no derivatives of it can have.
   const auto on_place = [&](std::array<double, 2> along, Point value) {
-    Requirement r = on_face(Kind::direction, {6, 0.5, 0.25, 0}, value);
+    Requirement r = test::on_face(Kind::direction, {6, 0.5, 0.25, 0}, value);
     r.along = along;
     return r;
   };
@@ -230,13 +217,13 @@ TEST(Requirements, TangentsThatAgreeAreMet) {
   const Mesh mesh = bumpy();
   const Index v = mesh.face(2)[0];
   const auto towards = [&](std::size_t k, Point value) {
-    Requirement r = at_vertex(Kind::direction, v, value);
+    Requirement r = test::at_vertex(Kind::direction, v, value);
     r.towards = mesh.face(2)[k];
     return r;
   };
   const SimilarityOptions options = options_with(Similarity::vectors);
-  const std::vector<Requirement> all = {at_vertex(Kind::normal, v, {0, 0, 1}),
-                                        on_face(Kind::normal, {2, 0, 0, 0}, {0, 0, 3}),
+  const std::vector<Requirement> all = {test::at_vertex(Kind::normal, v, {0, 0, 1}),
+                                        test::on_face(Kind::normal, {2, 0, 0, 0}, {0, 0, 3}),
                                         towards(1, {1, 0.2, 0}), towards(1, {2, 0.4, 0})};
   const auto found = interpolate_required(mesh, all, options);
   ASSERT_TRUE(found) << describe(found.error());
@@ -253,9 +240,9 @@ TEST(Requirements, VerticesAreMovedOnSurfacesOfEveryScheme) {
     const Mesh mesh = test::octahedron();
     SimilarityOptions options = options_with(Similarity::vectors);
     options.rules = {scheme};
-    const std::vector<Requirement> all = {at_vertex(Kind::position, 2, {0.1, 0.2, 2}),
-                                          at_vertex(Kind::position, 2, {0.1, 0.2, 2}),
-                                          at_vertex(Kind::remove, 3)};
+    const std::vector<Requirement> all = {test::at_vertex(Kind::position, 2, {0.1, 0.2, 2}),
+                                          test::at_vertex(Kind::position, 2, {0.1, 0.2, 2}),
+                                          test::at_vertex(Kind::remove, 3)};
     const auto solver = SimilarityInterpolator::create(mesh, options).value();
     const auto found = solver.solve_required(all, mesh.points).value();
     std::vector<Point> expected = mesh.points;
@@ -264,8 +251,8 @@ TEST(Requirements, VerticesAreMovedOnSurfacesOfEveryScheme) {
     expected[3] = limits[3];
     EXPECT_LT(test::max_distance(limits, expected), 1e-14);
     EXPECT_TRUE(found.report.requirements[1].redundant);
-    const auto refused =
-        solver.solve_required(std::vector{at_vertex(Kind::normal, 1, {0, 0, 1})}, mesh.points);
+    const auto refused = solver.solve_required(
+        std::vector{test::at_vertex(Kind::normal, 1, {0, 0, 1})}, mesh.points);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::invalid_argument);
   }
@@ -277,9 +264,9 @@ TEST(Requirements, AreMetFarFromTheOrigin) {
   for (Point& p : mesh.points) p[0] += 1e8;
   Point wanted = mesh.points[mesh.face(6)[0]];
   wanted[2] += 0.1;
-  const auto found =
-      interpolate_required(mesh, std::vector{on_face(Kind::position, {6, 0.5, 0.25, 0}, wanted)},
-                           options_with(Similarity::vectors));
+  const auto found = interpolate_required(
+      mesh, std::vector{test::on_face(Kind::position, {6, 0.5, 0.25, 0}, wanted)},
+      options_with(Similarity::vectors));
   ASSERT_TRUE(found) << describe(found.error());
   EXPECT_TRUE(found->report.solve.converged);
 }
@@ -291,7 +278,8 @@ TEST(Requirements, VerticesAreRemovedAndReplaced) {
     const auto solver = SimilarityInterpolator::create(mesh, options).value();
     Point moved = mesh.points[5];
     moved[0] += 0.2;
-    const std::vector all = {at_vertex(Kind::remove, 3), at_vertex(Kind::position, 5, moved)};
+    const std::vector all = {test::at_vertex(Kind::remove, 3),
+                             test::at_vertex(Kind::position, 5, moved)};
     const auto found = solver.solve_required(all, mesh.points).value();
     const auto limits = solver.limit_positions(found.points).value();
     std::vector<Point> expected = mesh.points;
@@ -311,7 +299,8 @@ TEST(Requirements, RemovingAVertexFindsTheBestPlaceForIt) {
   const Mesh mesh = bumpy();
   const SimilarityOptions options = options_with(Similarity::fair);
   const auto solver = SimilarityInterpolator::create(mesh, options).value();
-  const auto free = solver.solve_required(std::vector{at_vertex(Kind::remove, 3)}, mesh.points);
+  const auto free =
+      solver.solve_required(std::vector{test::at_vertex(Kind::remove, 3)}, mesh.points);
   ASSERT_TRUE(free);
   const auto fixed = solver.solve_like(mesh.points, free->targets).value();
   EXPECT_LT(test::max_distance(free->points, fixed.points), 1e-8);
@@ -321,7 +310,7 @@ TEST(Requirements, DerivativesAtVerticesGoAlongTheirEdges) {
   const Mesh mesh = bumpy();
   const SimilarityOptions options = options_with(Similarity::vectors);
   const Index v = mesh.face(2)[0];
-  Requirement r = at_vertex(Kind::derivative, v, {0.2, 0.1, -0.3});
+  Requirement r = test::at_vertex(Kind::derivative, v, {0.2, 0.1, -0.3});
   r.towards = mesh.face(2)[1];
   const auto found = interpolate_required(mesh, std::vector{r}, options).value();
   const LimitSurface surface = LimitSurface::create(found.control, options.rules).value();
@@ -347,16 +336,17 @@ TEST(Requirements, SameBitsForAnyNumberOfThreads) {
 TEST(Requirements, ImpossibleOnesAreRefused) {
   const Mesh mesh = test::cube();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Requirement away = at_vertex(Kind::direction, 0, {1, 0, 0});
+  Requirement away = test::at_vertex(Kind::direction, 0, {1, 0, 0});
   away.towards = 7;  // across the cube
-  Requirement nowhere = on_face(Kind::direction, {0, 0.5, 0.5}, {1, 0, 0});
+  Requirement nowhere = test::on_face(Kind::direction, {0, 0.5, 0.5}, {1, 0, 0});
   nowhere.along = {0, 0};
   for (const Requirement& r :
-       {at_vertex(Kind::normal, 8, {1, 0, 0}), at_vertex(Kind::normal, 0, {0, 0, 0}),
-        at_vertex(Kind::position, 0, {nan, 0, 0}), at_vertex(Kind::direction, 0, {1, 0, 0}),
-        on_face(Kind::position, {6, 0, 0}, {}), on_face(Kind::position, {0, 2, 0}, {}),
-        on_face(Kind::position, {0, 0, 0, 4}, {}), on_face(Kind::remove, {0, 0, 0}, {}), away,
-        nowhere}) {
+       {test::at_vertex(Kind::normal, 8, {1, 0, 0}), test::at_vertex(Kind::normal, 0, {0, 0, 0}),
+        test::at_vertex(Kind::position, 0, {nan, 0, 0}),
+        test::at_vertex(Kind::direction, 0, {1, 0, 0}),
+        test::on_face(Kind::position, {6, 0, 0}, {}), test::on_face(Kind::position, {0, 2, 0}, {}),
+        test::on_face(Kind::position, {0, 0, 0, 4}, {}), test::on_face(Kind::remove, {0, 0, 0}, {}),
+        away, nowhere}) {
     const auto result = interpolate_required(mesh, std::vector{r}, {});
     ASSERT_FALSE(result) << describe(r);
     EXPECT_EQ(result.error().code, ErrorCode::invalid_argument);
@@ -403,8 +393,8 @@ TEST(Requirements, NearlyDependentOnesAreMet) {
     Point beside = s.position;
     for (std::size_t c = 0; c < 3; ++c) beside[c] += apart * (s.du[c] + (c == 2 ? 0.2 : 0.1));
     std::vector<Requirement> all = {
-        on_face(Kind::position, here, wanted), on_face(Kind::position, there, beside),
-        on_face(Kind::position, there, beside), at_vertex(Kind::normal, 9, {0, 0, 1})};
+        test::on_face(Kind::position, here, wanted), test::on_face(Kind::position, there, beside),
+        test::on_face(Kind::position, there, beside), test::at_vertex(Kind::normal, 9, {0, 0, 1})};
     const auto found = interpolate_required(mesh, all, options);
     ASSERT_TRUE(found) << describe(found.error());
     for (const auto& outcome : found->report.requirements) EXPECT_LT(outcome.error, 1e-14);
