@@ -47,12 +47,16 @@ void for_ranges(const Context& context, std::size_t n, Body&& body, std::size_t 
 template <class T, class Partial, class Combine>
 T reduce(const Context& context, std::size_t n, T first, Partial&& partial, Combine&& combine,
          std::size_t chunk = kChunk) {
-  std::vector<T> parts((n + chunk - 1) / chunk);
+  // In a struct, for a vector<bool> would put the parts of different threads into one word.
+  struct Part {
+    T value;
+  };
+  std::vector<Part> parts((n + chunk - 1) / chunk);
   for_ranges(
       context, n,
-      [&](std::size_t begin, std::size_t end) { parts[begin / chunk] = partial(begin, end); },
+      [&](std::size_t begin, std::size_t end) { parts[begin / chunk].value = partial(begin, end); },
       chunk);
-  for (const T& part : parts) first = combine(first, part);
+  for (const Part& part : parts) first = combine(first, part.value);
   return first;
 }
 
