@@ -381,9 +381,10 @@ template <class W>
 template <class W>
 [[gnu::always_inline]] inline void diagonal_of(const CrossKind& kind, const LaneLaw<W>* laws,
                                                const LanePoints<W>* reference, std::size_t first,
-                                               LaneBlock* sums, LanePoints<W>* work) {
+                                               LaneBlock<typename W::Real>* sums,
+                                               LanePoints<W>* work) {
   using Numbers = typename W::Numbers;
-  auto* const blocks = reinterpret_cast<LaneBlock*>(work + kind.fine_points());
+  auto* const blocks = reinterpret_cast<LaneBlock<typename W::Real>*>(work + kind.fine_points());
   const auto keep = [&](std::size_t r, const Vectors<W>& g) __attribute__((always_inline)) {
     Numbers square;
     Numbers w;
@@ -406,7 +407,8 @@ template <class W>
     Numbers sum[6] = {};
     for (const CrossKind::Entry& entry : kind.of_column[c]) {
       for (std::size_t k = 0; k < 6; ++k) {
-        sum[k] += entry.square * at<W>(blocks[entry.row].of[k] + first);
+        sum[k] +=
+            static_cast<typename W::Real>(entry.square) * at<W>(blocks[entry.row].of[k] + first);
       }
     }
     for (std::size_t k = 0; k < 6; ++k) at<W>(sums[c].of[k] + first) = sum[k];
@@ -441,14 +443,20 @@ template void gradient_of_patches(const CrossKind&, const RowLaw<float>*, const 
                                   const LaneVectors<float>*, LaneVectors<float>*,
                                   LaneVectors<float>*);
 
-void diagonal_of_patches(const CrossKind& kind, const RowLaw<double>* laws,
-                         const LaneVectors<double>* reference, LaneBlock* sums,
-                         LaneVectors<double>* work) {
-  run_on_lanes<double>([&]<class W>(W) __attribute__((always_inline)) {
-    for (std::size_t l = 0; l < kLanes<double>; l += kCount<W>) {
+template <class Real>
+void diagonal_of_patches(const CrossKind& kind, const RowLaw<Real>* laws,
+                         const LaneVectors<Real>* reference, LaneBlock<Real>* sums,
+                         LaneVectors<Real>* work) {
+  run_on_lanes<Real>([&]<class W>(W) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kLanes<Real>; l += kCount<W>) {
       diagonal_of<W>(kind, laws, reference, l, sums, work);
     }
   });
 }
+template void diagonal_of_patches(const CrossKind&, const RowLaw<double>*,
+                                  const LaneVectors<double>*, LaneBlock<double>*,
+                                  LaneVectors<double>*);
+template void diagonal_of_patches(const CrossKind&, const RowLaw<float>*, const LaneVectors<float>*,
+                                  LaneBlock<float>*, LaneVectors<float>*);
 
 }  // namespace surpass

@@ -76,14 +76,16 @@ void gradient_of_patches(const CrossKind& kind, const RowLaw<Real>* laws,
                          LaneVectors<Real>* sums, LaneVectors<Real>* work);
 
 /// The upper triangle of a block of 3, row after row.
+template <class Real>
 struct LaneBlock {
-  alignas(kLaneAlignment) double of[6][kLanes<double>];
+  alignas(kLaneAlignment) Real of[6][kLanes<Real>];
 };
 
 /// sums, #columns: the diagonal blocks of the same.
-void diagonal_of_patches(const CrossKind& kind, const RowLaw<double>* laws,
-                         const LaneVectors<double>* reference, LaneBlock* sums,
-                         LaneVectors<double>* work);
+template <class Real>
+void diagonal_of_patches(const CrossKind& kind, const RowLaw<Real>* laws,
+                         const LaneVectors<Real>* reference, LaneBlock<Real>* sums,
+                         LaneVectors<Real>* work);
 
 /// The same laws for derivatives divided by the kind's scales, as parts of the gradient.
 [[nodiscard]] std::vector<RowLaw<double>> scaled_laws(const CrossKind& kind,

@@ -64,7 +64,12 @@ class CrossProducts final : public PatchEnergy {
                                                             : product_in<double>(context, x, y);
   }
   [[nodiscard]] std::size_t block_size() const override { return 6; }
-  [[nodiscard]] std::vector<double> diagonal(const Context& context) const override;
+  [[nodiscard]] std::vector<double> diagonal(const Context& context) const override {
+    return diagonal_in<double>(context);
+  }
+  [[nodiscard]] std::vector<float> diagonal_in_single(const Context& context) const override {
+    return may_be_single_ ? diagonal_in<float>(context) : std::vector<float>{};
+  }
   void for_blocks(std::size_t patch, std::span<const Index> columns,
                   const UseBlock& use) const override;
 
@@ -72,6 +77,8 @@ class CrossProducts final : public PatchEnergy {
   [[nodiscard]] Means means(const Context& context) const;
   template <class Real>
   double product_in(const Context& context, std::span<const double> x, std::span<double> y) const;
+  template <class Real>
+  [[nodiscard]] std::vector<Real> diagonal_in(const Context& context) const;
   template <class Real>
   [[nodiscard]] const RowLaw<Real>* laws_in(Index kind) const {
     if constexpr (kIsSingle<Real>)
@@ -181,23 +188,24 @@ double CrossProducts::product_in(const Context& context, std::span<const double>
   return layout_.add_up<Real>(context, 3, kPointStride, y, work);
 }
 
-std::vector<double> CrossProducts::diagonal(const Context& context) const {
-  std::vector<double> sum(std::size_t{6} * layout_.control_count());
-  layout_.add_up<double>(
-      context, 6, 6, sum, [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
+template <class Real>
+std::vector<Real> CrossProducts::diagonal_in(const Context& context) const {
+  std::vector<Real> sum(std::size_t{6} * layout_.control_count());
+  layout_.add_up<Real>(
+      context, 6, 6, std::span(sum), [&](const PatchLayout::Chunk& chunk, std::span<Real> values) {
         const double* const reference = reference_of(chunk);
-        std::vector<LaneVectors<double>> points(most_columns_);
-        std::vector<LaneBlock> sums(most_columns_);
-        std::vector<LaneVectors<double>> places(most_places_);
-        layout_.for_groups<kLanes<double>>(
+        std::vector<LaneVectors<Real>> points(most_columns_);
+        std::vector<LaneBlock<Real>> sums(most_columns_);
+        std::vector<LaneVectors<Real>> places(most_places_);
+        layout_.for_groups<kLanes<Real>>(
             chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
               const CrossKind& kind = kinds_[number];
               gather_points(local, kind.columns, lanes, reference, points.data());
-              diagonal_of_patches(kind, scaled_laws_[number].data(), points.data(), sums.data(),
+              diagonal_of_patches(kind, laws_in<Real>(number), points.data(), sums.data(),
                                   places.data());
               for (std::size_t l = 0; l < lanes; ++l) {
                 for (std::size_t c = 0; c < kind.columns; ++c) {
-                  double* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
+                  Real* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
                   for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
                 }
               }

@@ -93,11 +93,11 @@ void Elimination::find_dependents_of_free() {
   };
   for_all([&](Index, Index j, double) { ++starts_[j + 1]; });
   for (std::size_t j = 1; j < starts_.size(); ++j) starts_[j] += starts_[j - 1];
-  givens_.resize(starts_.back());
+  dependents_.resize(starts_.back());
   coefficients_.resize(starts_.back());
   std::vector<Index> at(starts_.begin(), starts_.end() - 1);
   for_all([&](Index i, Index j, double c) {
-    givens_[at[j]] = i;
+    dependents_[at[j]] = dependent_[i];
     coefficients_[at[j]++] = c;
   });
 }
@@ -121,8 +121,7 @@ void meet_coupled(const CoupledRow& row, std::size_t width, std::span<const doub
 
 }  // namespace
 
-// Both loops below for three numbers a point, the case that matters: the sums stay in registers.
-
+// For three numbers a point, the case that matters: the sums stay in registers.
 void Elimination::meet_3(Index i, const double* own, std::span<double> x) const {
   const auto columns = limits_.row_columns(i);
   const auto weights = limits_.row_weights(i);
@@ -134,17 +133,6 @@ void Elimination::meet_3(Index i, const double* own, std::span<double> x) const 
   }
   double* to = &x[std::size_t{3} * dependent_[i]];
   for (std::size_t c = 0; c < 3; ++c) to[c] = own[c] + rest[c] / pivot_[i];
-}
-
-void Elimination::restrict_3(std::size_t j, std::span<double> y) const {
-  if (starts_[j] == starts_[j + 1]) return;  // a dependent point, which others read meanwhile
-  double* to = &y[3 * j];
-  double sum[3] = {to[0], to[1], to[2]};
-  for (Index k = starts_[j]; k < starts_[j + 1]; ++k) {
-    const double* from = &y[std::size_t{3} * dependent_[givens_[k]]];
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += coefficients_[k] * from[c];
-  }
-  for (std::size_t c = 0; c < 3; ++c) to[c] = sum[c];
 }
 
 // A row's weights sum to one. So all can be said of differences to the row's own target, which far
@@ -184,22 +172,17 @@ void Elimination::meet(const Context& context, std::size_t width, std::span<cons
 void Elimination::restrict_gradient(const Context& context, std::size_t width,
                                     std::span<double> y) const {
   // Free points read dependent ones only, so that nothing is read that is written.
-  parallel::for_ranges(context, given_of_.size(), [&](std::size_t begin, std::size_t end) {
+  parallel::for_ranges(context, control_count(), [&](std::size_t begin, std::size_t end) {
+    std::vector<double> sum(width);
     for (std::size_t j = begin; j < end; ++j) {
-      if (width == 3) {
-        restrict_3(j, y);
-        continue;
-      }
-      for (Index k = starts_[j]; k < starts_[j + 1]; ++k) {
-        const std::size_t from = dependent_[givens_[k]] * width;
-        for (std::size_t c = 0; c < width; ++c) y[j * width + c] += coefficients_[k] * y[from + c];
-      }
+      if (!is_free(static_cast<Index>(j))) continue;
+      restricted<0>(j, width, y.data(), sum.data());
+      std::copy(sum.begin(), sum.end(), y.data() + j * width);
     }
   });
   parallel::for_ranges(context, given_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (dependent_[i] == kNone) continue;
-      for (std::size_t c = 0; c < width; ++c) y[dependent_[i] * width + c] = 0;
+      if (dependent_[i] != kNone) std::fill_n(&y[dependent_[i] * width], width, 0.0);
     }
   });
 }

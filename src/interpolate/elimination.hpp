@@ -38,6 +38,18 @@ class Elimination {
   /// which the dependent ones follow; 0 at these.
   void restrict_gradient(const Context& context, std::size_t width, std::span<double> y) const;
 
+  /// The same for point j alone, y left as it is: `kWidth` numbers or, for 0, as many as there are.
+  template <std::size_t kWidth>
+  void restricted(std::size_t j, std::size_t any_width, const double* y, double* to) const {
+    const std::size_t width = kWidth == 0 ? any_width : kWidth;
+    const bool free = is_free(static_cast<Index>(j));
+    for (std::size_t c = 0; c < width; ++c) to[c] = free ? y[j * width + c] : 0;
+    for (Index k = starts_[j]; k < starts_[j + 1]; ++k) {
+      const double* from = y + dependents_[k] * width;
+      for (std::size_t c = 0; c < width; ++c) to[c] += coefficients_[k] * from[c];
+    }
+  }
+
   /// The given vertex that control point j depends for, or kNone.
   [[nodiscard]] Index given_of(Index j) const { return given_of_[j]; }
 
@@ -61,7 +73,6 @@ class Elimination {
   [[nodiscard]] Result<void> couple(const std::vector<Index>& stuck);
   void find_dependents_of_free();
   void meet_3(Index i, const double* own, std::span<double> x) const;
-  void restrict_3(std::size_t j, std::span<double> y) const;
   [[nodiscard]] const CoupledRow* coupled(Index i) const {
     return coupled_number_.empty() || coupled_number_[i] == kNone ? nullptr
                                                                   : &coupled_[coupled_number_[i]];
@@ -75,7 +86,7 @@ class Elimination {
   std::vector<CoupledRow> coupled_;
   // The coefficients once more, by free points.
   std::vector<Index> starts_;
-  std::vector<Index> givens_;
+  std::vector<Index> dependents_;
   std::vector<double> coefficients_;
 };
 

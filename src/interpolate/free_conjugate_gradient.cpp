@@ -5,18 +5,6 @@
 namespace surpass {
 namespace {
 
-// Where time matters, and the tolerance is so loose that a few steps reach it. Single precision
-// loses a little of what makes the directions conjugate in each step: at 1e-3 it took a fifth more
-// of them, which was all that it had saved.
-Precision precision_for(const FreeSystem& system, const FreePreconditioner& preconditioner,
-                        double tolerance) {
-  constexpr double kLoose = 1e-2;
-  constexpr Index kMany = 65536;
-  const bool enough = tolerance >= kLoose && preconditioner.is_tame();
-  return enough && system.elimination.control_count() >= kMany ? Precision::single
-                                                               : Precision::full;
-}
-
 // Of a gradient: its squared length, and its product with the preconditioned one.
 struct Lengths {
   double squared = 0;
@@ -51,8 +39,9 @@ Lengths descend_range(const FreeSystem& system, const FreePreconditioner& precon
   for (std::size_t j = begin; j < end; ++j) {
     double squared = 0;
     double rho = 0;
+    system.elimination.restricted<kWidth>(j, width, image, r.place());
     for (std::size_t c = 0; c < width; ++c) {
-      r.place()[c] = gradient[j * width + c] + length * image[j * width + c];
+      r.place()[c] = gradient[j * width + c] + length * r.place()[c];
     }
     preconditioner.times<kWidth>(j, r.place(), z.place());
     for (std::size_t c = 0; c < width; ++c) {
@@ -66,7 +55,7 @@ Lengths descend_range(const FreeSystem& system, const FreePreconditioner& precon
   return sums;
 }
 
-// The gradient goes along the direction by that direction's image.
+// The gradient goes along the direction by that direction's image, restricted.
 Lengths descend(const FreeSystem& system, const FreePreconditioner& preconditioner, double length,
                 std::span<const double> image, std::span<double> gradient) {
   const auto range = system.width == 3 ? descend_range<3> : descend_range<0>;
@@ -124,14 +113,13 @@ void move(const FreeSystem& system, double length, std::span<const double> direc
 
 }  // namespace
 
-FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
-                               std::vector<double> first, std::span<double> gradient,
-                               std::span<double> x) {
+FreeOutcome conjugate_gradient(const FreeSystem& system, const Preconditioned& preconditioned,
+                               const StopAt& stop, std::vector<double> first,
+                               std::span<double> gradient, std::span<double> x) {
   if (system.constraints != nullptr) system.constraints->clear(gradient);
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
-  const FreePreconditioner preconditioner(system);
-  const Precision precision = precision_for(system, preconditioner, stop.tolerance);
+  const auto& [preconditioner, precision] = preconditioned;
   std::vector<double> direction = std::move(first);
   std::vector<double> image(system.size());
   const auto go = [&](double length) {

@@ -12,6 +12,7 @@
 namespace surpass {
 
 class LinearConstraints;
+struct Preconditioned;
 
 /// Arrays are #control points by width. A change of the control points is `extended` if its
 /// dependent points keep the limits of the given vertices; a gradient is 0 at them.
@@ -24,13 +25,12 @@ struct FreeSystem {
   const LinearConstraints* constraints = nullptr;
 
   [[nodiscard]] std::size_t size() const { return elimination.control_count() * width; }
-  /// y = the change of the gradient that goes with the change x, which is extended first. Back
-  /// comes x.y.
+  /// y = the change of the energy's derivative by all control points that goes with the change x,
+  /// which is extended first; that of the gradient is what Elimination::restricted makes of it.
+  /// Back comes the product of the two.
   double product(Precision precision, std::span<double> x, std::span<double> y) const {
     elimination.meet(context, width, {}, x);
-    const double curvature = energy.product(context, width, precision, x, y);
-    elimination.restrict_gradient(context, width, y);
-    return curvature;
+    return energy.product(context, width, precision, x, y);
   }
   [[nodiscard]] double dot(std::span<const double> a, std::span<const double> b) const {
     return parallel::reduce(
@@ -62,9 +62,10 @@ struct FreeOutcome {
 /// neither moves stay. With constraints, where its part along them
 /// vanishes: Gould, Hribar, Nocedal, On the solution of equality constrained quadratic programming
 /// problems arising in optimization, 2001, algorithm 6.2.
-[[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system, const StopAt& stop,
-                                             std::vector<double> first, std::span<double> gradient,
-                                             std::span<double> x);
+[[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system,
+                                             const Preconditioned& preconditioned,
+                                             const StopAt& stop, std::vector<double> first,
+                                             std::span<double> gradient, std::span<double> x);
 
 /// The same for a change that starts at 0 (extended; ends so), by Gauss and Seidel's sweeps over
 /// the assembled matrix, on one thread (Lai and Cheng 2006, section 2.4). With constraints each

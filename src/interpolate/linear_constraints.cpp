@@ -301,7 +301,7 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
   contents->free = pick * rows.free;
   contents->value = pick * values.in_units;
   contents->absolute_value = pick * values.absolute;
-  const FreePreconditioner preconditioner(system);
+  const FreePreconditioner preconditioner(system, Precision::full);
   contents->downward = inverse_blocks(preconditioner, elimination.control_count()) *
                        Rows(contents->free.transpose());
   contents->products.compute(contents->free * contents->downward);

@@ -35,6 +35,10 @@ class PatchEnergy {
   [[nodiscard]] virtual std::size_t block_size() const = 0;
   /// #control points by block_size().
   [[nodiscard]] virtual std::vector<double> diagonal(const Context& context) const = 0;
+  /// The same in single precision; empty where that is not good enough.
+  [[nodiscard]] virtual std::vector<float> diagonal_in_single(const Context& /*context*/) const {
+    return {};
+  }
   /// Adds the patch's part of H: use(a, b, block) for each pair of its columns, of which it is
   /// given the control points, with block_size() numbers; not for pairs that have nothing in
   /// common. For solvers that need H assembled.

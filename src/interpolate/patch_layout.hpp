@@ -86,8 +86,8 @@ class PatchLayout {
   /// y = the sum of what the chunks add up: work(chunk, values) finds `stride` zeros for each of
   /// the chunk's points, and adds to the first `width` of them. y: #control points by width. Back
   /// comes the sum of the numbers that work returns.
-  template <class Real, class Work>
-  double add_up(const Context& context, std::size_t width, std::size_t stride, std::span<double> y,
+  template <class Real, class Sum, class Work>
+  double add_up(const Context& context, std::size_t width, std::size_t stride, std::span<Sum> y,
                 Work&& work) const {
     const auto shared = std::make_unique_for_overwrite<Real[]>(places_.size() * width);
     std::vector<double> parts(chunks_.size() - 1);
@@ -162,15 +162,15 @@ class PatchLayout {
 
  private:
   // The sums of the points of several chunks, from `begin` to `end`; kWidth is 0 for any width.
-  template <std::size_t kWidth, class Real>
-  void add_shared(const Real* shared, std::size_t any_width, double* y, std::size_t begin,
+  template <std::size_t kWidth, class Real, class Sum>
+  void add_shared(const Real* shared, std::size_t any_width, Sum* y, std::size_t begin,
                   std::size_t end) const {
     const std::size_t width = kWidth == 0 ? any_width : kWidth;
     const Index last = occurs_[end];
     for (std::size_t i = begin; i < end; ++i) {
-      double* to = y + several_[i] * width;
-      double in_registers[kWidth == 0 ? 1 : kWidth];
-      double* const sum = kWidth == 0 ? to : in_registers;
+      Sum* to = y + several_[i] * width;
+      Sum in_registers[kWidth == 0 ? 1 : kWidth];
+      Sum* const sum = kWidth == 0 ? to : in_registers;
       for (std::size_t c = 0; c < width; ++c) sum[c] = 0;
       for (Index k = occurs_[i]; k < occurs_[i + 1]; ++k) {
         if (last - k > kAhead) __builtin_prefetch(shared + places_[k + kAhead] * width);

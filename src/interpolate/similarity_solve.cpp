@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "interpolate/free_preconditioner.hpp"
 #include "interpolate/linear_constraints.hpp"
 #include "interpolate/linear_system.hpp"
 
@@ -112,9 +113,10 @@ void leave_reference(const SimilarityPrepared& prepared, const Wanted& wanted, c
   keep_isolated(prepared, wanted, wanted.given, reference);
 }
 
-// The energy's derivative at x by the free points; empty where x is where the energy is least.
-std::vector<double> gradient_at(const SimilarityPrepared& prepared, const FreeSystem& system,
-                                std::span<const double> reference, std::span<const double> x) {
+// x relative to where the energy is least; empty where it is there already.
+std::vector<double> distance_to_least(const SimilarityPrepared& prepared,
+                                      std::span<const double> reference,
+                                      std::span<const double> x) {
   std::vector<double> difference(x.begin(), x.end());
   if (prepared.options.similarity != Similarity::fair) {
     // Only the difference to the reference costs, and it may be nothing but rounding.
@@ -126,39 +128,57 @@ std::vector<double> gradient_at(const SimilarityPrepared& prepared, const FreeSy
     constexpr double kRounding = 1e-14;  // coordinates are near 1
     if (largest <= kRounding) return {};
   }
-  std::vector<double> gradient(x.size());
-  system.energy.product(system.context, system.width, Precision::full, difference, gradient);
+  return difference;
+}
+
+// The energy's derivative there by the free points. Takes the distance away: it is large.
+std::vector<double> gradient_at(const FreeSystem& system, Precision precision,
+                                std::vector<double> distance) {
+  std::vector<double> gradient(distance.size());
+  system.energy.product(system.context, system.width, precision, distance, gradient);
   system.elimination.restrict_gradient(system.context, system.width, gradient);
   return gradient;
 }
 
-// Where a step of progressive interpolation leads: what the reference misses the given points by,
-// added to its control mesh before the refinement. Far from a vertex little moves at once, and what
-// is left to do is local.
-std::vector<double> progressive_step(const SimilarityPrepared& prepared, const FreeSystem& system,
-                                     std::span<const double> reference,
-                                     std::span<const double> given) {
+// Where two steps of progressive interpolation lead: what the reference misses the given points by,
+// and what it would still miss them by then, added to its control mesh before the refinement. Far
+// from a vertex little moves at once, and what is left to do is local.
+std::vector<double> progressive_steps(const SimilarityPrepared& prepared, const FreeSystem& system,
+                                      std::span<const double> reference,
+                                      std::span<const double> given) {
   const std::size_t width = system.width;
-  std::vector<double> missed(given.size());
-  system.elimination.limits().apply(system.context, width, reference, missed);
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const bool released = system.elimination.dependent(static_cast<Index>(i / width)) == kNone;
-    missed[i] = released ? 0 : given[i] - missed[i];
-  }
-  return refine_given(prepared, width, missed, system.context);
+  const auto refined = [&](std::span<const double> change) {
+    return refine_given(prepared, width, change, system.context);
+  };
+  const auto missed = [&](std::span<const double> aims, std::span<const double> x) {
+    std::vector<double> by(aims.size());
+    system.elimination.limits().apply(system.context, width, x, by);
+    for (std::size_t i = 0; i < aims.size(); ++i) {
+      const bool released = system.elimination.dependent(static_cast<Index>(i / width)) == kNone;
+      by[i] = released ? 0 : aims[i] - by[i];
+    }
+    return by;
+  };
+  std::vector<double> change = missed(given, reference);
+  const std::vector<double> rest = missed(change, refined(change));
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] += rest[i];
+  return refined(change);
 }
 
 // x = the reference where points are free, moved to where the energy is least; in units.
 FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& system,
                      std::span<const double> reference, std::span<const double> given,
                      std::span<double> x) {
-  std::vector<double> gradient = gradient_at(prepared, system, reference, x);
-  if (gradient.empty()) return {};
+  std::vector<double> distance = distance_to_least(prepared, reference, x);
+  if (distance.empty()) return {};
   const StopAt stop{prepared.options.solver_tolerance, prepared.options.max_iterations};
   if (prepared.options.solver != SimilaritySolver::gauss_seidel) {
-    return conjugate_gradient(system, stop, progressive_step(prepared, system, reference, given),
-                              gradient, x);
+    const Preconditioned how = precondition(system, stop.tolerance);
+    std::vector<double> gradient = gradient_at(system, how.precision, std::move(distance));
+    auto first = progressive_steps(prepared, system, reference, given);
+    return conjugate_gradient(system, how, stop, std::move(first), gradient, x);
   }
+  std::vector<double> gradient = gradient_at(system, Precision::full, std::move(distance));
   std::vector<double> change(x.size(), 0.0);
   FreeOutcome outcome = gauss_seidel(system, *prepared.layout, stop, gradient, change);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += change[i];

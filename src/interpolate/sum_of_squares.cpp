@@ -184,7 +184,7 @@ std::vector<double> SumOfSquares::diagonal(const Context& context) const {
     }
   }
   std::vector<double> sum(layout_.control_count());
-  layout_.add_up<double>(context, 1, 1, sum,
+  layout_.add_up<double>(context, 1, 1, std::span(sum),
                          [&](const PatchLayout::Chunk& chunk, std::span<double> values) {
                            layout_.for_groups<kLanes<double>>(
                                chunk, [&](Index kind, const LocalIndex* local, std::size_t lanes) {

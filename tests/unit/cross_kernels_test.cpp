@@ -143,8 +143,11 @@ void expect_plain_sums(const PatchKind& kind) {
   std::vector<LaneVectors<float>> single_work(cross_kind.work_size());
   gradient_of_patches(cross_kind, single_laws.data(), rounded(reference.lanes).data(),
                       rounded(x.lanes).data(), single_sums.data(), single_work.data());
-  std::vector<LaneBlock> blocks(kind.columns);
+  std::vector<LaneBlock<double>> blocks(kind.columns);
   diagonal_of_patches(cross_kind, laws.data(), reference.lanes.data(), blocks.data(), work.data());
+  std::vector<LaneBlock<float>> single_blocks(kind.columns);
+  diagonal_of_patches(cross_kind, single_laws.data(), rounded(reference.lanes).data(),
+                      single_blocks.data(), single_work.data());
   std::vector<LaneNumbers> squares(cross_kind.rows.size());
   squares_of_patches(cross_kind, reference.lanes.data(), squares.data(), work.data());
   for (std::size_t l = 0; l < kLanes<double>; ++l) {
@@ -162,6 +165,7 @@ void expect_plain_sums(const PatchKind& kind) {
         constexpr std::size_t kUpper[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
         for (std::size_t i = 0; i < 3; ++i) {
           ASSERT_NEAR(blocks[c].of[kUpper[i][k]][l], column[i], 1e-11);
+          ASSERT_NEAR(single_blocks[c].of[kUpper[i][k]][l], column[i], 1e-3);
         }
       }
     }
