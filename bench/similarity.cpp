@@ -77,7 +77,7 @@ void add_run(Harness& harness, Index side, const std::string& form, const std::s
            "surpass interpolate --method similarity, OBJ of quads in, binary PLY out, solver "
            "tolerance " +
            tolerance + "; a process of its own",
-       .slow = true},
+       .slow = tolerance != kLoose},
       side,
       [form, solver, tolerance](const Workload& w) {
         const std::string path = w.obj() + "." + form + "." + solver + "." + tolerance + ".obj";
