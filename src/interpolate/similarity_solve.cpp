@@ -140,29 +140,20 @@ std::vector<double> gradient_at(const FreeSystem& system, Precision precision,
   return gradient;
 }
 
-// Where two steps of progressive interpolation lead: what the reference misses the given points by,
-// and what it would still miss them by then, added to its control mesh before the refinement. Far
-// from a vertex little moves at once, and what is left to do is local.
-std::vector<double> progressive_steps(const SimilarityPrepared& prepared, const FreeSystem& system,
-                                      std::span<const double> reference,
-                                      std::span<const double> given) {
+// Where a step of progressive interpolation leads: what the reference misses the given points by,
+// added to its control mesh before the refinement. Far from a vertex little moves at once, and what
+// is left to do is local.
+std::vector<double> progressive_step(const SimilarityPrepared& prepared, const FreeSystem& system,
+                                     std::span<const double> reference,
+                                     std::span<const double> given) {
   const std::size_t width = system.width;
-  const auto refined = [&](std::span<const double> change) {
-    return refine_given(prepared, width, change, system.context);
-  };
-  const auto missed = [&](std::span<const double> aims, std::span<const double> x) {
-    std::vector<double> by(aims.size());
-    system.elimination.limits().apply(system.context, width, x, by);
-    for (std::size_t i = 0; i < aims.size(); ++i) {
-      const bool released = system.elimination.dependent(static_cast<Index>(i / width)) == kNone;
-      by[i] = released ? 0 : aims[i] - by[i];
-    }
-    return by;
-  };
-  std::vector<double> change = missed(given, reference);
-  const std::vector<double> rest = missed(change, refined(change));
-  for (std::size_t i = 0; i < change.size(); ++i) change[i] += rest[i];
-  return refined(change);
+  std::vector<double> missed(given.size());
+  system.elimination.limits().apply(system.context, width, reference, missed);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const bool released = system.elimination.dependent(static_cast<Index>(i / width)) == kNone;
+    missed[i] = released ? 0 : given[i] - missed[i];
+  }
+  return refine_given(prepared, width, missed, system.context);
 }
 
 // x = the reference where points are free, moved to where the energy is least; in units.
@@ -175,7 +166,7 @@ FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& syste
   if (prepared.options.solver != SimilaritySolver::gauss_seidel) {
     const Preconditioned how = precondition(system, stop.tolerance);
     std::vector<double> gradient = gradient_at(system, how.precision, std::move(distance));
-    auto first = progressive_steps(prepared, system, reference, given);
+    auto first = progressive_step(prepared, system, reference, given);
     return conjugate_gradient(system, how, stop, std::move(first), gradient, x);
   }
   std::vector<double> gradient = gradient_at(system, Precision::full, std::move(distance));
