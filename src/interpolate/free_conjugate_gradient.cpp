@@ -119,7 +119,8 @@ FreeOutcome conjugate_gradient(const FreeSystem& system, const Preconditioned& p
   if (system.constraints != nullptr) system.constraints->clear(gradient);
   FreeProgress progress(system, stop, gradient);
   if (!progress.goes_on()) return std::move(progress).outcome();
-  const auto& [preconditioner, precision] = preconditioned;
+  const FreePreconditioner& preconditioner = preconditioned.inverse;
+  const Precision precision = preconditioned.precision;
   std::vector<double> direction = std::move(first);
   std::vector<double> image(system.size());
   const auto go = [&](double length) {
