@@ -59,9 +59,9 @@ struct FreeOutcome {
 /// Brings `x` to where the gradient vanishes by a change that is extended; `gradient` is that at
 /// the start and is overwritten. The first iteration goes along `first` as far as the energy falls;
 /// from there conjugate gradients, preconditioned by the diagonal blocks of the energy. Points that
-/// neither moves stay. With constraints, where its part along them
-/// vanishes: Gould, Hribar, Nocedal, On the solution of equality constrained quadratic programming
-/// problems arising in optimization, 2001, algorithm 6.2.
+/// neither moves stay. With constraints, to where the gradient is nothing but a sum of theirs:
+/// Gould, Hribar, Nocedal, On the solution of equality constrained quadratic programming problems
+/// arising in optimization, 2001, algorithm 6.2.
 [[nodiscard]] FreeOutcome conjugate_gradient(const FreeSystem& system,
                                              const Preconditioned& preconditioned,
                                              const StopAt& stop, std::vector<double> first,
