@@ -116,6 +116,8 @@ Result<Refined> refined_once(const Mesh& mesh, const SimilarityOptions& options,
   return refined;
 }
 
+auto cancelled() { return fail(ErrorCode::cancelled, "cancelled while setting up"); }
+
 }  // namespace
 
 std::vector<double> refine_given(const SimilarityPrepared& prepared, std::size_t width,
@@ -148,10 +150,11 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   context.report({.stage = "topology"});
   auto refined = refined_once(mesh, options, context);
   if (!refined) return tl::make_unexpected(refined.error());
-  if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
+  if (context.cancelled()) return cancelled();
   const Index control_points = refined->mesh.vertex_count();
   const auto topology = Topology::build(refined->mesh);
   if (!topology) return tl::make_unexpected(topology.error());
+  if (context.cancelled()) return cancelled();
   auto limits = scheme.given_limits(refined->mesh, *topology, options.rules, mesh, context);
   if (!limits) return tl::make_unexpected(limits.error());
   auto elimination = Elimination::build(std::move(*limits), control_points, context);
@@ -159,9 +162,11 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   auto rows = PatchRows::build(refined->mesh, *topology, options.rules, level_of(options.samples),
                                refined->sampled, context, Sides::joined);
   if (!rows) return tl::make_unexpected(rows.error());
+  if (context.cancelled()) return cancelled();
   auto order = patches_by_neighbourhood(*topology, *rows, PatchLayout::kColumns);
   auto layout =
       std::make_unique<const PatchLayout>(std::move(*rows), std::move(order), control_points);
+  if (context.cancelled()) return cancelled();
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
   auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
   refined->mesh.points = {};

@@ -165,6 +165,7 @@ FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& syste
   const StopAt stop{prepared.options.solver_tolerance, prepared.options.max_iterations};
   if (prepared.options.solver != SimilaritySolver::gauss_seidel) {
     const Preconditioned how = precondition(system, stop.tolerance);
+    if (system.context.cancelled()) return {.cancelled = true};
     std::vector<double> gradient = gradient_at(system, how.precision, std::move(distance));
     auto first = progressive_step(prepared, system, reference, given);
     return conjugate_gradient(system, how, stop, std::move(first), gradient, x);
@@ -207,6 +208,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
   std::unique_ptr<PatchEnergy> own;
   if (directions && options.max_iterations > 0) {
     own = cross_products(*prepared.layout, found.reference, options.row_weights, context);
+    if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while solving");
   }
   FreeSystem system{wanted.elimination, own ? *own : *prepared.scalar, wanted.width, context};
   auto constraints = constraints_of(wanted, system, given, units);

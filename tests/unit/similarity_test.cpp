@@ -203,6 +203,8 @@ TEST(Similarity, RefusesWhatCannotBeMeant) {
   const std::atomic<bool> stop = true;
   EXPECT_EQ(solver.solve(test::jittered(cube).points, {}, {.cancel = &stop}).error().code,
             ErrorCode::cancelled);
+  EXPECT_EQ(SimilarityInterpolator::create(cube, {}, {.cancel = &stop}).error().code,
+            ErrorCode::cancelled);
 }
 
 // Around a vertex, or inside a face, of thousands: what depends on all neighbours is left out.
