@@ -138,29 +138,27 @@ class PatchLayout {
   void for_chunks(const Context& context, Body&& body) const {
     parallel::for_ranges(
         context, chunks_.size() - 1,
-        [&](std::size_t number, std::size_t) {
-          const std::size_t first = patches_[number];
-          const std::size_t at = chunks_[number];
-          const Chunk chunk{std::span(order_).subspan(first, patches_[number + 1] - first),
-                            std::span(points_).subspan(at, chunks_[number + 1] - at),
-                            local_.data() + local_starts_[number],
-                            chunks_[number + 1] - at - (shared_[number + 1] - shared_[number]), at};
-          body(chunk, number);
-        },
-        1);
+        [&](std::size_t number, std::size_t) { body(chunk_at(number), number); }, 1);
   }
 
   /// The chunks' patches one after the other: combine(sum, part(chunk)).
   template <class T, class Part, class Combine>
   T reduce(const Context& context, T first, Part&& part, Combine&& combine) const {
-    std::vector<T> parts(chunks_.size() - 1, first);
-    for_chunks(context,
-               [&](const Chunk& chunk, std::size_t number) { parts[number] = part(chunk); });
-    for (const T& p : parts) first = combine(first, p);
-    return first;
+    return parallel::reduce(
+        context, chunks_.size() - 1, first,
+        [&](std::size_t number, std::size_t) { return part(chunk_at(number)); }, combine, 1);
   }
 
  private:
+  [[nodiscard]] Chunk chunk_at(std::size_t number) const {
+    const std::size_t first = patches_[number];
+    const std::size_t at = chunks_[number];
+    return {std::span(order_).subspan(first, patches_[number + 1] - first),
+            std::span(points_).subspan(at, chunks_[number + 1] - at),
+            local_.data() + local_starts_[number],
+            chunks_[number + 1] - at - (shared_[number + 1] - shared_[number]), at};
+  }
+
   // The sums of the points of several chunks, from `begin` to `end`; kWidth is 0 for any width.
   template <std::size_t kWidth, class Real, class Sum>
   void add_shared(const Real* shared, std::size_t any_width, Sum* y, std::size_t begin,
