@@ -10,6 +10,7 @@
 #include "io/obj_tags.hpp"
 #include "io/optional_rows.hpp"
 #include "io/readers.hpp"
+#include "mesh/wording.hpp"
 
 namespace surpass::io {
 namespace {
@@ -402,9 +403,8 @@ void ObjReader::finish_corners(CornerTable& table, const char* name) {
 
 void ObjReader::finish_notices() {
   if (weighted_ != 0) {
-    out_.notices.push_back(
-        fmt::format("{} {} a weight other than 1; positions are kept as they stand", weighted_,
-                    weighted_ == 1 ? "vertex has" : "vertices have"));
+    out_.notices.push_back(fmt::format("{} a weight other than 1; positions are kept as they stand",
+                                       counted(weighted_, "vertex has", "vertices have")));
   }
   for (const Skipped& skipped : skipped_) {
     out_.notices.push_back(fmt::format("{} '{}' statement{} skipped; only faces are read",
