@@ -97,7 +97,7 @@ TEST(RequirementTangents, AFlatSheetCanBeAskedToStandUpright) {
     upright.push_back(test::towards(Kind::direction, v, inner, {0, 0, 1}));
     Point out = mesh.points[v];
     for (std::size_t c = 0; c < 3; ++c) out[c] -= mesh.points[inner][c];
-    normals.push_back(test::towards(Kind::normal, v, kNone, out));
+    normals.push_back(test::at_vertex(Kind::normal, v, out));
     corners.push_back(corner_of(mesh, v));
   }
   expect_met(mesh, {upright[3]}, {corners[3]});
@@ -120,7 +120,7 @@ TEST(RequirementTangents, NormalsAcrossTheSurfaceAreMet) {
   expect_met(test::cube(), {test::on_face(Kind::normal, {0, 0.5, 0.5}, {1, 0, 0})}, {});
   const Mesh mesh = flat_sheet();
   const Index v = 24;  // in the middle
-  expect_met(mesh, {test::towards(Kind::normal, v, kNone, {1, 0, 0})}, {corner_of(mesh, v)});
+  expect_met(mesh, {test::at_vertex(Kind::normal, v, {1, 0, 0})}, {corner_of(mesh, v)});
 }
 
 // What else is required at the place decides how the tangents lie.
@@ -131,11 +131,10 @@ TEST(RequirementTangents, PrescribedDerivativesStayBesideTurnedNormals) {
   for (const Kind kind : {Kind::derivative, Kind::direction}) {
     for (const Point& value : {Point{0, 0.3, 0}, Point{0, -0.3, 0}, Point{0, 0.3, -0.01}}) {
       SCOPED_TRACE(fmt::format("{} {} {}", name_of(kind), value[1], value[2]));
-      expect_met(
-          mesh,
-          {test::towards(kind, v, next, value), test::towards(Kind::normal, v, kNone, {1, 0, 0}),
-           test::towards(Kind::normal, 10, kNone, {0, 0.1, 1})},
-          {corner_of(mesh, v)});
+      expect_met(mesh,
+                 {test::towards(kind, v, next, value), test::at_vertex(Kind::normal, v, {1, 0, 0}),
+                  test::at_vertex(Kind::normal, 10, {0, 0.1, 1})},
+                 {corner_of(mesh, v)});
     }
   }
 }
@@ -170,11 +169,11 @@ TEST(RequirementTangents, AllThatExcludeEachOtherTogetherAreNamed) {
   const Index next = face[(corner + 1) % 4];
   const Index before = face[(corner + 3) % 4];
   expect_refusal(mesh,
-                 {test::towards(Kind::normal, 0, kNone, {0, 0, 1}),
+                 {test::at_vertex(Kind::normal, 0, {0, 0, 1}),
                   test::towards(Kind::direction, 0, next, {1, 0, 0}),
-                  test::towards(Kind::normal, 6, kNone, {0, 0, 1}),
+                  test::at_vertex(Kind::normal, 6, {0, 0, 1}),
                   test::towards(Kind::direction, 0, before, {1, 0, 0}),
-                  test::towards(Kind::normal, 0, kNone, {0, 0, 1})},
+                  test::at_vertex(Kind::normal, 0, {0, 0, 1})},
                  {"contradict each other", "0 (normal at vertex 0)", "1 (direction at vertex 0",
                   "3 (direction at vertex 0"},
                  "2 (normal");
@@ -220,8 +219,8 @@ TEST(RequirementTangents, ANormalNeedsATangentPlane) {
   pinched = test::split_edge(pinched, pinched.face(0)[0], pinched.face(0)[1], {-2, -2, -2});
   const Index added = pinched.vertex_count() - 1;
   for (const auto& [mesh, v] : {std::pair{sharp, Index{0}}, std::pair{pinched, added}}) {
-    const auto result = interpolate_required(
-        mesh, std::vector{test::towards(Kind::normal, v, kNone, {0, 0, 1})}, {});
+    const auto result =
+        interpolate_required(mesh, std::vector{test::at_vertex(Kind::normal, v, {0, 0, 1})}, {});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::contradictory);
     EXPECT_NE(result.error().message.find("no tangent plane"), std::string::npos);
@@ -262,7 +261,7 @@ TEST(RequirementTangents, NormalsNearValenceTwoSwingAboutTheStandIn) {
 
 // One box for all errors of a report: that of what the surface shall pass through.
 TEST(RequirementTangents, ErrorsAreRelativeToTheMovedPoints) {
-  Requirement away = test::towards(Kind::position, 0, kNone, {1e12, 0, 0});
+  Requirement away = test::at_vertex(Kind::position, 0, {1e12, 0, 0});
   const auto found = interpolate_required(test::cube(), std::vector{away}, {});
   ASSERT_TRUE(found) << describe(found.error());
   EXPECT_TRUE(found->report.solve.converged);
@@ -270,7 +269,7 @@ TEST(RequirementTangents, ErrorsAreRelativeToTheMovedPoints) {
 }
 
 TEST(RequirementTangents, NotesAreRightInTheSingular) {
-  const std::vector<Requirement> one = {test::towards(Kind::normal, 0, kNone, {0, 0, 1})};
+  const std::vector<Requirement> one = {test::at_vertex(Kind::normal, 0, {0, 0, 1})};
   const std::vector<RequirementOutcome> outcomes = {{.redundant = true, .error = 1}};
   const auto notes = notes_on(one, outcomes, 1e-10);
   ASSERT_EQ(notes.size(), 2U);
