@@ -1,4 +1,5 @@
 // surpass-reconstruct, which `surpass reconstruct` becomes.
+#include "other_program.hpp"
 #include "runner.hpp"
 
 namespace surpass::cli {
@@ -6,8 +7,7 @@ std::unique_ptr<Command> make_reconstruct();
 }  // namespace surpass::cli
 
 int main(int argc, char** argv) {
-  constexpr surpass::cli::CommandEntry kEntry = {
-      "reconstruct", "from a cloud of points to a mesh, and a smooth surface through its vertices",
-      surpass::cli::make_reconstruct};
-  return surpass::cli::run_command(kEntry, {argv + 1, argv + argc});
+  surpass::cli::CommandEntry entry = surpass::cli::kReconstruct;
+  entry.make = surpass::cli::make_reconstruct;
+  return surpass::cli::run_command(entry, {argv + 1, argv + argc});
 }

@@ -35,6 +35,7 @@ struct CommandEntry {
   const char* name;
   const char* summary;                 ///< one line for `surpass --help`
   std::unique_ptr<Command> (*make)();  ///< nullptr: the program surpass-NAME is the command
+  const char* needs = "";              ///< what such a program is built with
 };
 
 /// Every subcommand, in the order of `surpass --help`.

@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "other_program.hpp"
 
 namespace surpass::cli {
 
@@ -10,7 +11,6 @@ std::unique_ptr<Command> make_inspect();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_quality();
 std::unique_ptr<Command> make_convert();
-std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_view();
 
 std::span<const CommandEntry> commands() {
@@ -18,8 +18,7 @@ std::span<const CommandEntry> commands() {
       {"interpolate", "find the control mesh whose limit surface passes through every vertex",
        make_interpolate},
       {"predict", "how many sweeps an interpolation will need, by the proven bound", make_predict},
-      {"reconstruct", "from a cloud of points to a mesh, and a smooth surface through its vertices",
-       nullptr},
+      kReconstruct,
       {"subdivide", "refine a control mesh, and move it onto its limit surface", make_subdivide},
       {"check", "does a control mesh's limit surface pass through the given vertices?", make_check},
       {"inspect", "counts, boundaries, valences, creases, and what would be refused", make_inspect},
@@ -27,7 +26,7 @@ std::span<const CommandEntry> commands() {
       {"quality", "fairness of limit surfaces: energies, curvatures, normals against a reference",
        make_quality},
       {"convert", "read a mesh in one format and write it in another", make_convert},
-      {"render", "draw a shaded picture without a display", make_render},
+      kRender,
       {"view", "show meshes in the browser, in one page that works offline", make_view},
   };
   return kCommands;

@@ -40,21 +40,16 @@ std::string overview() {
 }
 
 std::string version_text() {
-  std::string text = fmt::format("surpass {}\n  threads   {}\n", kVersion, kThreads);
+  std::string text = fmt::format("surpass {}\n  threads      {}\n", kVersion, kThreads);
 #ifdef SURPASS_ORACLE
-  text += fmt::format("  oracle    {}\n", opensubdiv_version());
+  text += fmt::format("  oracle       {}\n", opensubdiv_version());
 #else
-  text += "  oracle    not built in\n";
-#endif
-#ifdef SURPASS_RENDER
-  text += "  renderer  Embree\n";
-#else
-  text += "  renderer  not built in\n";
+  text += "  oracle       not built in\n";
 #endif
   for (const CommandEntry& entry : commands()) {
     if (entry.make != nullptr) continue;
     text += fmt::format(
-        "  {}  {}\n", entry.name,
+        "  {:11}  {}\n", entry.name,
         has_other_program(entry) ? fmt::format("surpass-{}", entry.name) : "not built in");
   }
   return text;

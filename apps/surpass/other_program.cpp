@@ -35,9 +35,8 @@ int run_other_program(const CommandEntry& entry, const std::vector<std::string>&
   execvp(name.c_str(), pointers.data());
   Console().error(
       fmt::format("'{}' is a program of its own, {}, which is neither beside surpass nor on the "
-                  "PATH; build Surpass with CGAL and nanoflann there (Debian: libcgal-dev "
-                  "libnanoflann-dev)",
-                  entry.name, name));
+                  "PATH; it is built with {}",
+                  entry.name, name, entry.needs));
   return exit_status(ErrorCode::not_built_in);
 }
 

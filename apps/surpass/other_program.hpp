@@ -1,4 +1,5 @@
-// Commands that are programs of their own, because their licence is another.
+// Commands that are programs of their own: their licence is another, or what they are linked to takes
+// longer to load than a small mesh to interpolate.
 #pragma once
 
 #include <string>
@@ -7,6 +8,13 @@
 #include "command.hpp"
 
 namespace surpass::cli {
+
+inline constexpr CommandEntry kReconstruct = {
+    "reconstruct", "from a cloud of points to a mesh, and a smooth surface through its vertices",
+    nullptr, "CGAL and nanoflann (Debian: libcgal-dev libnanoflann-dev)"};
+inline constexpr CommandEntry kRender = {
+    "render", "draw a shaded picture without a display", nullptr,
+    "Embree, libpng and nanoflann (Debian: libembree-dev libpng-dev libnanoflann-dev)"};
 
 /// Becomes `surpass-NAME`, which lies beside this program or on the PATH: its exit code and its
 /// answer to signals are those of the command. Returns (an exit code) only where there is no such

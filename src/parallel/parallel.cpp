@@ -87,8 +87,10 @@ void run_beside(const Context& context, const std::function<void()>& first,
   second();
 }
 
-void run_chunks(int threads, std::size_t chunks, ChunkTask task) {
-  if (threads <= 1 || chunks <= 1) {
+void run_chunks(const Context& context, std::size_t chunks, ChunkTask task) {
+  // One chunk does not ask how many threads there are: to answer, TBB starts up.
+  const int threads = chunks <= 1 ? 1 : thread_count(context);
+  if (threads == 1) {
     for (std::size_t c = 0; c < chunks; ++c) task.call(task.body, c);
     return;
   }

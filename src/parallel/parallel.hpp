@@ -24,9 +24,10 @@ struct ChunkTask {
   void (*call)(void* body, std::size_t chunk);
 };
 
-/// Calls task(c) for c in [0, chunks), in any order, on up to `threads` threads; returns when all
-/// are done. With one chunk or one thread everything happens on the caller's own thread.
-void run_chunks(int threads, std::size_t chunks, ChunkTask task);
+/// Calls task(c) for c in [0, chunks), in any order, on as many threads as `context` asks for;
+/// returns when all are done. With one chunk or one thread everything happens on the caller's own
+/// thread.
+void run_chunks(const Context& context, std::size_t chunks, ChunkTask task);
 
 /// Calls first() here and, beside it, second() on a thread of its own if more than one is allowed
 /// and to be had; else one after the other. So second may wait for first, never first for second.
@@ -39,7 +40,7 @@ template <class Body>
 void for_ranges(const Context& context, std::size_t n, Body&& body, std::size_t chunk = kChunk) {
   const std::size_t chunks = (n + chunk - 1) / chunk;
   auto run = [&](std::size_t c) { body(c * chunk, std::min(n, (c + 1) * chunk)); };
-  run_chunks(thread_count(context), chunks,
+  run_chunks(context, chunks,
              {&run, [](void* r, std::size_t c) { (*static_cast<decltype(run)*>(r))(c); }});
 }
 

@@ -19,7 +19,7 @@ using nlohmann::json;
 class RenderCommand : public testing::Test {
  protected:
   void SetUp() override {
-    if (surpass({"--version"}).out.find("renderer  not built in") != std::string::npos) {
+    if (surpass({"--version"}).out.find("render       not built in") != std::string::npos) {
       GTEST_SKIP() << "this build makes no pictures";
     }
   }

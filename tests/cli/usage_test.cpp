@@ -161,7 +161,7 @@ TEST(Usage, TheVersionNamesItsComponents) {
   const Outcome outcome = surpass({"--version"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out.find("surpass "), 0U);
-  for (const char* part : {"threads", "oracle", "renderer", "reconstruct"}) {
+  for (const char* part : {"threads", "oracle", "render", "reconstruct"}) {
     EXPECT_NE(outcome.out.find(part), std::string::npos);
   }
 }

@@ -1,7 +1,7 @@
 // The pictures of `surpass render`, joined into one.
 #pragma once
 
-#include "render_style.hpp"
+#include "style.hpp"
 
 namespace surpass::cli {
 
@@ -28,8 +28,7 @@ struct PictureContent {
 };
 
 /// The bytes of a PNG file: what is to the left, then every surface in every style, in rows. The
-/// report gets its size and what is where. Fails where options are no numbers, and in builds
-/// without a renderer.
+/// report gets its size and what is where. Fails where options are no numbers.
 [[nodiscard]] Result<std::string> draw_picture(const PictureContent& scene,
                                                const PictureWishes& wishes, Session& session);
 

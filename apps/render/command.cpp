@@ -2,16 +2,17 @@
 //
 // Meshes, or with --levels their limit surfaces, in one or several styles, side by side in one
 // view.
+#include "command.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "command.hpp"
 #include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "nonstationary.hpp"
-#include "render_picture.hpp"
+#include "picture.hpp"
 #include "rules_option.hpp"
 
 namespace surpass::cli {

@@ -1,8 +1,6 @@
-#include "render_picture.hpp"
+#include "picture.hpp"
 
-#ifdef SURPASS_RENDER
 #include <surpass/render.hpp>
-#endif
 
 #include <algorithm>
 #include <charconv>
@@ -10,8 +8,6 @@
 #include <fmt/format.h>
 
 namespace surpass::cli {
-
-#ifdef SURPASS_RENDER
 
 namespace {
 
@@ -199,14 +195,5 @@ Result<std::string> draw_picture(const PictureContent& scene, const PictureWishe
   session.report["picture"]["height"] = image->height;
   return encode_png(*image);
 }
-
-#else
-
-Result<std::string> draw_picture(const PictureContent&, const PictureWishes&, Session&) {
-  return fail(ErrorCode::not_built_in,
-              "this build makes no pictures; configure with -DSURPASS_RENDER=ON");
-}
-
-#endif
 
 }  // namespace surpass::cli

@@ -1,4 +1,4 @@
-#include "render_style.hpp"
+#include "style.hpp"
 
 #include <surpass/fairness.hpp>
 #include <surpass/interpolate.hpp>
