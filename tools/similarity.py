@@ -24,7 +24,7 @@ MODELS = [
     ("Cubespikes", "quad/closed_cubespikes_1194.obj", "1,022 vertices, 51 s"),
     ("Bigguy", "quad/closed_bigguy_1452.obj", "1,022 vertices, 51 s"),
 ]
-DIRECTIONS = ["--method", "similarity", "--similarity", "directions", "--row-weights", "none"]
+DIRECTIONS = ["--method", "similarity", "--similarity", "directions", "--weights", "none"]
 VECTORS = ["--method", "similarity"]
 FORMS = [("directions", DIRECTIONS), ("vectors", VECTORS), ("fair", ["--method", "fair"])]
 
@@ -62,7 +62,7 @@ Written by `make papers`. S. Lai, F. Cheng, *Similarity based interpolation usin
 surfaces*, The Visual Computer 22, 2006. The teapot is the paper's: one mesh of four open parts, 138 vertices and
 128 faces. Its other meshes are not published; beside each of ours stands what the paper reports for the nearest of
 its own, on a PC of 3.2 GHz of its day, so the times are no comparison of methods. `directions` is the paper's form
-with its weights (`--row-weights none`), `vectors` the default here, `fair` thin-plate fairing; all with boundary rule
+with its weights (`--weights none`), `vectors` the default here, `fair` thin-plate fairing; all with boundary rule
 edge-and-corner, and the glass with the paper's ring of dummy faces as well. All is done to the paper's 1e-2, and for the
 table to 1e-6, too (iterations, seconds); pictures are those at 1e-2. The error is the largest distance between a given
 vertex and its limit point, relative to the box side, at either. Seconds are for set-up and solution, the least of twenty

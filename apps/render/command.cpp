@@ -78,7 +78,7 @@ void Render::define(Options& options) {
       .required()
       .type_name("FILE")
       .group("Output");
-  rules_.define(options, true);
+  rules_.define(options, {.nonstationary = true});
   levels_option_ =
       add_levels(options, levels_,
                  "Draw the limit surface after refinement steps; by default the mesh itself");

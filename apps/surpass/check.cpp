@@ -44,7 +44,7 @@ class Check : public Command {
         .group("Input");
     add_from(options, from_, "Format of the input that is '-'");
     given_mending_.define(options);
-    rules_.define(options, true);
+    rules_.define(options, {.nonstationary = true});
     nonstationary_.define(options);
     requirements_.define(
         options, "Certificate",

@@ -73,7 +73,7 @@ void Interpolate::define(Options& options) {
   input_.define(options, "GIVEN", "The mesh whose vertices the surface shall pass through");
   output_.define(options, "-o,--output", "The control mesh");
   page_.define(options);
-  rules_.define(options, true);
+  rules_.define(options, {.nonstationary = true, .directions = true});
   surface_.define(options, ", and of nonstationary-loop");
   options
       .choice("--method", method_, {Method::progressive, Method::similarity, Method::fair},
@@ -222,7 +222,7 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
 Result<void> Interpolate::check_method() {
   if (const auto checked = nonstationary_.check(rules_); !checked) return checked;
   if (rules_.nonstationary()) return check_nonstationary();
-  if (const auto checked = similar_.check(method_); !checked) return checked;
+  if (const auto checked = similar_.check(method_, rules_); !checked) return checked;
   if (method_ == Method::progressive) {
     if (options_.max_iterations > 0) return {};
     return fail(ErrorCode::invalid_argument,
@@ -261,7 +261,7 @@ Result<void> Interpolate::check_nonstationary() const {
                     "of the given mesh interpolates by itself, and -o is that surface",
                     wrong, kNonstationaryLoop));
   }
-  return similar_.check(method_);
+  return similar_.check(method_, rules_);
 }
 
 /// The given mesh is the control mesh: what is written is its surface.
@@ -354,7 +354,7 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
 
 Result<void> Interpolate::prepare(const Mesh& given, Session& session) {
   if (method_ != Method::progressive) {
-    const auto prepared = similar_.prepare(method_, options_, given, session);
+    const auto prepared = similar_.prepare(method_, options_, rules_, given, session);
     return prepared ? surface_.check(similar_.control()) : prepared;
   }
   Result<Interpolator> solver = session.timed(

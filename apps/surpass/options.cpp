@@ -89,6 +89,11 @@ Option checked(CLI::Option* option, const std::function<std::string(std::string&
   return Option(option);
 }
 
+/// That of the word among `words`, their number if it is none of them.
+std::size_t number_of(const std::string& word, const std::vector<std::string>& words) {
+  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 }  // namespace
 
 Option Option::group(const std::string& title) const {
@@ -131,6 +136,15 @@ Option Option::in_range(double low, double high) const {
     double number = 0;
     const bool inside = CLI::detail::lexical_cast(word, number) && number >= low && number <= high;
     return inside ? "" : fmt::format("'{}' is not a number from {} to {}", word, low, high);
+  });
+}
+
+Option Option::one_of(const std::vector<std::string>& words) const {
+  option_->type_name(fmt::format("{}", fmt::join(words, "|")));
+  return checked(option_, [words](const std::string& word) -> std::string {
+    if (number_of(word, words) < words.size()) return {};
+    return fmt::format("'{}' is not one of {}{}", word, fmt::join(words, ", "),
+                       suggestion(word, words));
   });
 }
 
@@ -189,21 +203,25 @@ Option Options::flag(const std::string& name, bool& target, const std::string& d
 
 Option Options::choice_of_words(const std::string& name, const std::vector<std::string>& words,
                                 const std::function<void(std::size_t)>& store,
-                                const std::string& description, const std::string& rival) {
-  const auto number_of = [words](const std::string& word) {
-    return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
-  };
-  const auto take = [number_of, store](const std::string& word) { store(number_of(word)); };
+                                const std::string& description) {
+  const auto take = [words, store](const std::string& word) { store(number_of(word, words)); };
   CLI::Option* option = app_->add_option_function<std::string>(name, take, description);
-  option->type_name(fmt::format("{}", fmt::join(words, "|")));
-  const CLI::App* app = app_.get();
-  return checked(option, [number_of, words, rival, app](const std::string& word) -> std::string {
-    if (number_of(word) < words.size()) return {};
-    const bool has_rival = !rival.empty() && app->get_option_no_throw(rival) != nullptr;
-    return fmt::format("'{}' is not one of {}{}{}", word, fmt::join(words, ", "),
-                       suggestion(word, words),
-                       has_rival ? fmt::format("; is {} meant?", rival) : "");
-  });
+  return Option(option).one_of(words);
+}
+
+Option Options::choices_of_words(
+    const std::string& name, const std::vector<std::string>& words,
+    const std::function<std::string(const std::vector<std::size_t>&)>& store,
+    const std::string& description) {
+  const auto take = [=](const std::vector<std::string>& given) {
+    std::vector<std::size_t> numbers;
+    for (const std::string& word : given) numbers.push_back(number_of(word, words));
+    const std::string fault = store(numbers);
+    if (!fault.empty()) throw CLI::ValidationError(name, fault);
+  };
+  CLI::Option* option =
+      app_->add_option_function<std::vector<std::string>>(name, take, description);
+  return Option(option).one_of(words).comma_separated();
 }
 
 void Options::examples(const std::string& text) { app_->footer(text); }

@@ -31,7 +31,8 @@ class Option {
   Option excludes(const Option& other) const;
   Option value_optional() const;  ///< the name alone will do
   Option comma_separated() const;
-  Option in_range(double low, double high) const;  ///< refuse other numbers
+  Option in_range(double low, double high) const;              ///< refuse other numbers
+  Option one_of(const std::vector<std::string>& words) const;  ///< refuse others
   [[nodiscard]] bool given() const;
 
  private:
@@ -74,11 +75,16 @@ class Options {
     return choice(name, target, std::vector<Value>(choices), description);
   }
 
-  /// Stores the number of the word that is given. The error for another word asks whether `rival`
-  /// is meant, if the command has such an option.
+  /// Stores the number of the word that is given.
   Option choice_of_words(const std::string& name, const std::vector<std::string>& words,
                          const std::function<void(std::size_t)>& store,
-                         const std::string& description, const std::string& rival = {});
+                         const std::string& description);
+
+  /// One word or several with commas between. `store` is given their numbers, and answers with what
+  /// is wrong with them together, or nothing.
+  Option choices_of_words(const std::string& name, const std::vector<std::string>& words,
+                          const std::function<std::string(const std::vector<std::size_t>&)>& store,
+                          const std::string& description);
 
   /// Printed under the options.
   void examples(const std::string& text);

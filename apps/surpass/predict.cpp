@@ -15,7 +15,7 @@ class Predict : public Command {
  public:
   void define(Options& options) override {
     input_.define(options, "GIVEN", "The mesh to interpolate");
-    rules_.define(options);
+    rules_.define(options, {});
     add_solver_options(options, options_);
     options.examples(
         "The bound holds before any iteration: `surpass interpolate --direct` does exactly that\n"

@@ -35,7 +35,7 @@ class Quality : public Command {
             "count. The angles between its normals and those of each MESH are measured, too")
         .type_name("MESH2")
         .group("Input");
-    rules_.define(options, true);
+    rules_.define(options, {.nonstationary = true});
     nonstationary_.define(options, true);
     levels_option_ =
         options

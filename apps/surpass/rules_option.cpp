@@ -1,6 +1,10 @@
 #include "rules_option.hpp"
 
+#include <functional>
+#include <initializer_list>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -59,10 +63,10 @@ std::optional<Value> annotated(const Mesh& mesh, const char* key,
 
 }  // namespace
 
-void RulesOption::define(Options& options, bool nonstationary) {
+void RulesOption::define(Options& options, Knows knows) {
   std::vector<std::string> schemes;
   for (const Scheme scheme : all_schemes()) schemes.emplace_back(name_of(scheme));
-  if (nonstationary) schemes.emplace_back(kNonstationaryLoop);
+  if (knows.nonstationary) schemes.emplace_back(kNonstationaryLoop);
   options
       .choice_of_words(
           "--scheme", schemes,
@@ -73,7 +77,7 @@ void RulesOption::define(Options& options, bool nonstationary) {
           },
           std::string("Subdivision scheme; by default the one that the file records, else loop for "
                       "triangles and catmull-clark for other faces") +
-              (nonstationary ? "; nonstationary-loop interpolates by itself" : ""))
+              (knows.nonstationary ? "; nonstationary-loop interpolates by itself" : ""))
       .group("Surface");
   options
       .choice(
@@ -85,26 +89,42 @@ void RulesOption::define(Options& options, bool nonstationary) {
           "of the progressive-interpolation paper; interior: the interior mask everywhere, "
           "limit positions only; the last two are for loop")
       .group("Surface");
-  std::vector<std::string> weights = {name_of(Weights::averaging), name_of(Weights::cosine)};
-  if (nonstationary) {
-    weights.emplace_back(name_of(LoopWeights::warren));
-    weights.emplace_back(name_of(LoopWeights::classic));
+  define_weights(options, knows);
+}
+
+void RulesOption::define_weights(Options& options, Knows knows) {
+  std::vector<std::string> words;
+  std::vector<std::function<bool()>> takes;  // false: there is one of its kind already
+  const auto add = [&]<class W>(std::optional<W>& target, std::initializer_list<W> choices) {
+    for (const W choice : choices) {
+      words.emplace_back(name_of(choice));
+      takes.emplace_back([&target, choice] { return !std::exchange(target, choice).has_value(); });
+    }
+  };
+  std::string description =
+      "Weights of doo-sabin in faces without four corners: averaging (Catmull and Clark 1978, the "
+      "reconstruction paper's) or cosine (Doo and Sabin 1978); by default what the file records, "
+      "else averaging";
+  add(weights_, {Weights::averaging, Weights::cosine});
+  if (knows.nonstationary) {
+    description += ". Of nonstationary-loop: warren (default) or classic (Loop 1987)";
+    add(loop_weights_, {LoopWeights::warren, LoopWeights::classic});
   }
-  options
-      .choice_of_words(
-          "--weights", weights,
-          [this](std::size_t i) {
-            if (i < 2) weights_ = i == 0 ? Weights::averaging : Weights::cosine;
-            if (i >= 2) loop_weights_ = i == 2 ? LoopWeights::warren : LoopWeights::classic;
-          },
-          std::string("Weights of doo-sabin in faces without four corners: averaging (Catmull and "
-                      "Clark 1978, the reconstruction paper's) or cosine (Doo and Sabin 1978); by "
-                      "default what the file records, else averaging") +
-              (nonstationary ? ". Of nonstationary-loop: warren (default) or classic (Loop 1987)"
-                             : "") +
-              ". Not those of --similarity directions, which are interpolate's --row-weights",
-          "--row-weights")
-      .group("Surface");
+  if (knows.directions) {
+    description +=
+        ". Of the derivatives under --similarity directions: none (the paper), unit (by their "
+        "length in the reference), order (by the mean length of their order) or regularised (unit, "
+        "bounded where they vanish; default); with a comma after those of doo-sabin";
+    add(row_weights_,
+        {RowWeights::none, RowWeights::unit, RowWeights::order, RowWeights::regularised});
+  }
+  const auto store = [words, takes](const std::vector<std::size_t>& numbers) -> std::string {
+    for (const std::size_t i : numbers) {
+      if (!takes[i]()) return fmt::format("'{}' is the second of its kind", words[i]);
+    }
+    return {};
+  };
+  options.choices_of_words("--weights", words, store, description).group("Surface");
 }
 
 Rules RulesOption::choose(const Mesh& mesh, Session& session) const {

@@ -4,6 +4,7 @@
 #include <surpass/mesh.hpp>
 #include <surpass/nonstationary.hpp>
 #include <surpass/scheme.hpp>
+#include <surpass/similarity.hpp>
 
 #include <optional>
 
@@ -17,12 +18,19 @@ inline constexpr char kNonstationaryLoop[] = "nonstationary-loop";
 
 class RulesOption {
  public:
-  /// --scheme, --boundary and --weights. With `nonstationary`, the scheme may be that, too.
-  void define(Options& options, bool nonstationary = false);
+  /// What the command knows besides surfaces by a Scheme.
+  struct Knows {
+    bool nonstationary = false;  ///< as a scheme
+    bool directions = false;     ///< interpolation by their similarity
+  };
+
+  /// --scheme, --boundary and --weights.
+  void define(Options& options, Knows knows);
 
   /// Whether it was asked for; then choose() has Loop as the scheme.
   [[nodiscard]] bool nonstationary() const { return nonstationary_; }
   [[nodiscard]] std::optional<LoopWeights> loop_weights() const { return loop_weights_; }
+  [[nodiscard]] std::optional<RowWeights> row_weights() const { return row_weights_; }
   [[nodiscard]] bool other_weights() const { return weights_.has_value(); }
 
   /// Whether --scheme was given.
@@ -34,10 +42,13 @@ class RulesOption {
   [[nodiscard]] Rules choose(const Mesh& mesh, Session& session) const;
 
  private:
+  void define_weights(Options& options, Knows knows);
+
   std::optional<Scheme> scheme_;
   std::optional<Boundary> boundary_;
   std::optional<Weights> weights_;
   std::optional<LoopWeights> loop_weights_;
+  std::optional<RowWeights> row_weights_;
   bool nonstationary_ = false;
 };
 

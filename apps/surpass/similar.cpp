@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "mesh_input.hpp"
-#include "rules_option.hpp"
 
 namespace surpass::cli {
 
@@ -43,12 +42,6 @@ void Similar::define(Options& options) {
       "What the surface has in common with the reference: vectors, its derivatives in direction "
       "and length (ours, the default of the method similarity); directions, in direction alone "
       "(the paper)"));
-  grouped(options.choice(
-      "--row-weights", row_weights_,
-      {RowWeights::none, RowWeights::unit, RowWeights::order, RowWeights::regularised},
-      "Weights of the derivatives under directions: none (the paper), unit (by their length in the "
-      "reference), order (by the mean length of their order), regularised (unit, bounded where "
-      "they vanish; the default)"));
   grouped(options.choice(
       "--scaling", scaling_, {Scaling::none, Scaling::per_axis, Scaling::isotropic},
       "How the refined given mesh is stretched to the given box before it is the reference; by "
@@ -112,41 +105,41 @@ std::vector<std::string> Similar::outputs() const {
   return {reference_output_};
 }
 
-Result<void> Similar::check(Method method) const {
-  struct Rule {
+Result<void> Similar::check(Method method, const RulesOption& rules) const {
+  struct Use {
     const char* name;
     bool given;
     bool similarity;
     bool fair;
   };
-  const std::array rules = {
-      Rule{"--similarity", form_.has_value(), true, false},
-      Rule{"--row-weights", row_weights_.has_value(), true, false},
-      Rule{"--scaling", scaling_.has_value(), true, true},
-      Rule{"--open", open_.has_value(), true, true},
-      Rule{"--reference", !reference_path_.empty(), true, true},
-      Rule{"--write-reference", !reference_output_.empty(), true, true},
-      Rule{"--requirements", requirements_input_.lists(), true, true},
-      Rule{"--normals", requirements_input_.names_normals(), true, true},
-      Rule{"--samples", samples_.given(), true, true},
-      Rule{"--thin-plate", thin_plate_.given(), false, true},
-      Rule{"--membrane", membrane_.given(), false, true},
-      Rule{"--solver-tolerance", solver_tolerance_.given(), true, true},
+  const std::string weights =
+      fmt::format("--weights {}", name_of(rules.row_weights().value_or(RowWeights{})));
+  const std::array uses = {
+      Use{"--similarity", form_.has_value(), true, false},
+      Use{weights.c_str(), rules.row_weights().has_value(), true, false},
+      Use{"--scaling", scaling_.has_value(), true, true},
+      Use{"--open", open_.has_value(), true, true},
+      Use{"--reference", !reference_path_.empty(), true, true},
+      Use{"--write-reference", !reference_output_.empty(), true, true},
+      Use{"--requirements", requirements_input_.lists(), true, true},
+      Use{"--normals", requirements_input_.names_normals(), true, true},
+      Use{"--samples", samples_.given(), true, true},
+      Use{"--thin-plate", thin_plate_.given(), false, true},
+      Use{"--membrane", membrane_.given(), false, true},
+      Use{"--solver-tolerance", solver_tolerance_.given(), true, true},
   };
-  for (const Rule& rule : rules) {
+  for (const Use& use : uses) {
     const bool fits =
-        (method == Method::similarity && rule.similarity) || (method == Method::fair && rule.fair);
-    if (!rule.given || fits) continue;
-    const char* methods = !rule.similarity ? "fair"
-                          : rule.fair      ? "similarity or fair"
-                                           : "similarity";
+        (method == Method::similarity && use.similarity) || (method == Method::fair && use.fair);
+    if (!use.given || fits) continue;
+    const char* methods = !use.similarity ? "fair" : use.fair ? "similarity or fair" : "similarity";
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} says nothing of the method {}; it is for --method {}", rule.name,
+                fmt::format("{} says nothing of the method {}; it is for --method {}", use.name,
                             name_of(method), methods));
   }
-  if (row_weights_ && form_ != Similarity::directions) {
+  if (rules.row_weights() && form_ != Similarity::directions) {
     return fail(ErrorCode::invalid_argument,
-                "--row-weights is for --similarity directions; vectors have no weights");
+                weights + " is for --similarity directions; vectors have no weights");
   }
   return {};
 }
@@ -208,15 +201,15 @@ Result<void> Similar::write_reference(const MeshOutput& output, Session& session
   return resembled_ ? output.write(*resembled_, reference_output_, session) : Result<void>();
 }
 
-Result<void> Similar::prepare(Method method, const InterpolateOptions& common, const Mesh& given,
-                              Session& session) {
+Result<void> Similar::prepare(Method method, const InterpolateOptions& common,
+                              const RulesOption& rules, const Mesh& given, Session& session) {
   options_.rules = common.rules;
   options_.tolerance = common.tolerance;
   options_.max_iterations = common.max_iterations;
   if (common.solver == Solver::gauss_seidel) options_.solver = SimilaritySolver::gauss_seidel;
   options_.similarity =
       method == Method::fair ? Similarity::fair : form_.value_or(Similarity::vectors);
-  options_.row_weights = row_weights_.value_or(options_.row_weights);
+  options_.row_weights = rules.row_weights().value_or(options_.row_weights);
   options_.scaling = scaling_.value_or(reference_path_.empty() ? Scaling::per_axis : Scaling::none);
   session.report["solver"] = name_of(options_.solver);
   auto loaded = requirements_input_.load(given, options_.rules, session);

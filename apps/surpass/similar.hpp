@@ -12,6 +12,7 @@
 #include "mesh_output.hpp"
 #include "options.hpp"
 #include "requirements_input.hpp"
+#include "rules_option.hpp"
 #include "session.hpp"
 
 namespace surpass::cli {
@@ -31,12 +32,12 @@ class Similar {
 
   /// Fails if an option was given that says something of another method only. For
   /// Method::progressive that is any option of these.
-  [[nodiscard]] Result<void> check(Method method) const;
+  [[nodiscard]] Result<void> check(Method method, const RulesOption& rules) const;
 
   /// Prepares the given mesh. What is chosen goes into the report. `common` are the options that
   /// all methods have.
   [[nodiscard]] Result<void> prepare(Method method, const InterpolateOptions& common,
-                                     const Mesh& given, Session& session);
+                                     const RulesOption& rules, const Mesh& given, Session& session);
 
   /// The topology of the control mesh.
   [[nodiscard]] const Mesh& control() const { return solver_->refined(); }
@@ -63,7 +64,6 @@ class Similar {
   void note_ring(Session& session) const;
 
   std::optional<Similarity> form_;
-  std::optional<RowWeights> row_weights_;
   std::optional<Scaling> scaling_;
   std::optional<OpenMeshes> open_;
   SimilarityOptions options_;

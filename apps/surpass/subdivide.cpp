@@ -20,7 +20,7 @@ class Subdivide : public Command {
     input_.define(options, "MESH", "The control mesh to refine");
     output_.define(options, "-o,--output", "The refined mesh");
     page_.define(options);
-    rules_.define(options, true);
+    rules_.define(options, {.nonstationary = true});
     add_levels(options, levels_, "Refinement steps").required().group("Surface");
     options
         .flag("--limit", limit_,

@@ -56,7 +56,7 @@ class View : public Command {
   void define(Options& options) override {
     options.add("FILES", paths_, "Meshes, or points; of control meshes the limit surface, too")
         .required();
-    rules_.define(options);
+    rules_.define(options, {});
     options.add("--html", path_, "Write the page to this file; by default to a temporary one")
         .type_name("FILE")
         .group("Output");

@@ -66,11 +66,17 @@ TEST_F(Report, OfSimilarityAndFairing) {
             vectors["outputs"][0]["vertices"]);
   const json none =
       valid({"interpolate", given, "-o", folder_ / "d.ply", "--method", "similarity",
-             "--similarity", "directions", "--row-weights", "none", "--max-iterations", "0"},
+             "--similarity", "directions", "--weights", "none", "--max-iterations", "0"},
             0);
   EXPECT_EQ(none["similarity"]["row_weights"], "none");
   EXPECT_EQ(none["iterations"], 0);
   EXPECT_LE(none["error"]["max"], 1e-12);
+  const json both =
+      valid({"interpolate", given, "-o", folder_ / "b.ply", "--scheme", "doo-sabin", "--method",
+             "similarity", "--similarity", "directions", "--weights", "cosine,unit"},
+            0);
+  EXPECT_EQ(both["weights"], "cosine");
+  EXPECT_EQ(both["similarity"]["row_weights"], "unit");
   const json fair = valid({"interpolate", given, "-o", folder_ / "f.ply", "--method", "fair",
                            "--membrane", "0.5", "--samples", "5", "--scaling", "isotropic"},
                           0);

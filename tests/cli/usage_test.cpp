@@ -70,10 +70,11 @@ TEST(Usage, OptionsOfAnotherMethodAreRefused) {
          "--similarity says nothing of the method progressive; it is for --method similarity\n");
   expect({"--samples", "5"}, "it is for --method similarity or fair");
   expect({"--membrane", "1"}, "it is for --method fair");
-  expect({"--weights", "none"}, "is --row-weights meant?");
+  expect({"--weights", "none"}, "--weights none says nothing of the method progressive");
+  expect({"--weights", "cosine,averaging"}, "'averaging' is the second of its kind");
   expect({"--method", "fair", "--similarity", "vectors"}, "of the method fair");
   expect({"--method", "similarity", "--membrane", "1"}, "--membrane says nothing");
-  expect({"--method", "similarity", "--row-weights", "unit"}, "is for --similarity directions");
+  expect({"--method", "similarity", "--weights", "unit"}, "is for --similarity directions");
   expect({"--method", "similarity", "--solver", "minres"}, "conjugate-gradient and gauss-seidel");
   expect({"--method", "fair", "--direct"}, "--direct is for --method progressive");
   expect({"--method", "fair", "--skip-component", "0"}, "--skip-component is for");
