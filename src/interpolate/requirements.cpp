@@ -110,6 +110,7 @@ bool lies_on_boundary(const Topology& topology, const SurfacePlace& place) {
 }  // namespace
 
 bool prescribes_at_boundary(const Mesh& given, std::span<const Requirement> requirements) {
+  if (requirements.empty()) return false;
   const auto topology = Topology::build(given);
   if (!topology || topology->boundary_edge_count() == 0) return false;
   return std::any_of(requirements.begin(), requirements.end(), [&](const Requirement& r) {

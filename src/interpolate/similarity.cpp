@@ -169,7 +169,6 @@ Result<Found> find_with_tangents(const SimilarityPrepared& prepared, const Wante
       break;
     }
     auto again = find(prepared, wanted, context);
-    if (!again) fprintf(stderr, "AGAIN %s\n", again.error().message.c_str());
     if (!again && again.error().code != ErrorCode::cancelled) {
       equations.rows.resize(before);
       break;

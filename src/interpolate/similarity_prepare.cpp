@@ -169,7 +169,7 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
   if (context.cancelled()) return cancelled();
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
   auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
-  refined->mesh.points = {};
+  refined->mesh.points = std::vector<Point>();  // {} would keep the memory
   annotate(refined->mesh, options.rules);
   refined->mesh.annotate("refined", "1");
   return SimilarityPrepared{options,

@@ -61,9 +61,10 @@ class PatchRows {
   }
   /// What a mesh's size decides, for whoever keeps its own way from patches to vertices.
   void forget_columns() {
-    columns_ = {};
-    offsets_ = {};
-    patch_of_ = {};
+    // Not {}: that is a list to a vector, which keeps its memory.
+    columns_ = std::vector<Index>();
+    offsets_ = std::vector<Index>();
+    patch_of_ = std::vector<Index>();
   }
   /// The patch that was added last belongs to the face.
   void own_face(Index f, Index face_count) {

@@ -1,4 +1,5 @@
-"""Who may include whom: includes.py ROOT. Prints every include that breaks the order of layers."""
+"""Who may include whom: includes.py ROOT. Prints every include that breaks the order of layers, and who in the library
+prints himself."""
 
 import re
 import sys
@@ -30,6 +31,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 TBB = re.compile(r'\btbb::|[<"](tbb|oneapi)/')
 CGAL = re.compile(r'[<"]CGAL/')
 CGAL_FOLDERS = ['src/reconstruct']  # under the GPL; nothing else may be
+PRINTS = re.compile(r'\b(?:f?printf|f?puts|putchar|perror)\s*\(|\b(?:fmt|std)::v?print(?:ln)?\b|\bstd::(?:cout|cerr|clog)\b')
 
 
 def sources(folder):
@@ -82,6 +84,8 @@ def check(root):
             found.append(f'{name}: names TBB, which only src/parallel may')
         if CGAL.search(text) and str(name.parent) not in CGAL_FOLDERS:
             found.append(f'{name}: includes CGAL, which is under the GPL: only src/reconstruct may')
+        if str(name).startswith(('src/', 'include/')) and PRINTS.search(text):
+            found.append(f'{name}: prints, which the library leaves to programs')
     for folder in sorted(p.name for p in (root / 'src').iterdir() if p.is_dir()):
         if folder not in MAY_INCLUDE:
             found.append(f'src/{folder}: tell tests/layers/includes.py what it may include')

@@ -1,6 +1,6 @@
 """The check of layers finds what it is for: every line here but the last few is a breach."""
 
-from includes import CGAL, TBB, breaches_of
+from includes import CGAL, PRINTS, TBB, breaches_of
 
 BREACHES = [
     ('parallel', '#include "mesh/edge_table.hpp"'),
@@ -41,3 +41,7 @@ assert TBB.search('#include <tbb/parallel_for.h>')
 assert not TBB.search('// a std::thread backend beside TBB')
 assert CGAL.search('#include <CGAL/spatial_sort.h>')
 assert not CGAL.search('// CGAL may be named')
+for line in ('fprintf(stderr, "here");', 'std::cerr << x;', 'fmt::print("{}", x);', 'puts("x");'):
+    assert PRINTS.search(line), f'{line} was not found'
+for line in ('std::snprintf(to, size, "%g", x);', 'fmt::format("{}", x);', 'blueprint(x);', '[[gnu::format(printf, 1, 2)]]'):
+    assert not PRINTS.search(line), f'{line} was refused'
