@@ -1,5 +1,7 @@
 #include "process.hpp"
 
+#include <surpass/io.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -9,6 +11,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <pty.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -132,10 +136,32 @@ std::vector<std::string> TempFolder::names() const {
   return names;
 }
 
+nlohmann::json report_of(std::vector<std::string> words, int status) {
+  const TempFolder folder;
+  words.insert(words.end(), {"--report", folder / "report.json"});
+  const Outcome outcome = surpass(words);
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  return nlohmann::json::parse(slurp(folder / "report.json"));
+}
+
+bool is_built_in(const std::string& part) {
+  std::istringstream lines(surpass({"--version"}).out);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  " + part + " ")) return !line.ends_with("not built in");
+  }
+  return false;
+}
+
 std::string slurp(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();
   return text.str();
+}
+
+Mesh mesh_of(const std::string& path) {
+  const Result<LoadedMesh> loaded = read_mesh(path);
+  if (!loaded) throw std::runtime_error(describe(loaded.error()));
+  return loaded->mesh;
 }
 
 std::string data(const std::string& name) { return std::string(SURPASS_DATA_DIR "/") + name; }

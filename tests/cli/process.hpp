@@ -1,10 +1,14 @@
 // Runs the built executable as a user's shell would, and collects what it says.
 #pragma once
 
+#include <surpass/mesh.hpp>
+
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace surpass::test {
 
@@ -48,7 +52,16 @@ class TempFolder {
   std::filesystem::path path_;
 };
 
+/// The report of surpass with these arguments; it has to end with this status.
+nlohmann::json report_of(std::vector<std::string> words, int status = 0);
+
+/// Whether --version names this optional part ("oracle") as there.
+bool is_built_in(const std::string& part);
+
 std::string slurp(const std::string& path);
+
+/// What read_mesh() finds; throws where it finds none.
+Mesh mesh_of(const std::string& path);
 
 /// A mesh of the committed data.
 std::string data(const std::string& name);

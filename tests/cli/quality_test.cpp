@@ -13,13 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-json report_of(std::vector<std::string> words, int status = 0) {
-  words.insert(words.end(), {"--report", "-"});
-  const Outcome outcome = surpass(words);
-  EXPECT_EQ(outcome.status, status) << outcome.err;
-  return json::parse(outcome.out);
-}
-
 // A ring of n columns around a cylinder of radius 2, rows apart by 1/2: curvature 1/2 and 0.
 std::string cylinder(unsigned n, unsigned rows) {
   std::string text =

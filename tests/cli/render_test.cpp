@@ -19,9 +19,7 @@ using nlohmann::json;
 class RenderCommand : public testing::Test {
  protected:
   void SetUp() override {
-    if (surpass({"--version"}).out.find("render       not built in") != std::string::npos) {
-      GTEST_SKIP() << "this build makes no pictures";
-    }
+    if (!is_built_in("render")) GTEST_SKIP() << "this build makes no pictures";
   }
 
   json report_of(std::vector<std::string> words, int status = 0) {
