@@ -123,27 +123,42 @@ class Entry {
   std::string problem_;
 };
 
-// Of which a reader takes the last without a word. Objects in it are those of the list's entries.
-class RepeatedKeys {
+// Keys that are there twice, of which a reader takes the last without a word. Objects in the outer
+// one are those of the list's entries. A pass of its own: the library's parser with a callback
+// looks at the whole list again after each entry.
+class RepeatedKeys final : public nlohmann::json_sax<Json> {
  public:
-  bool see(Json::parse_event_t event, const Json& parsed) {
-    using Event = Json::parse_event_t;
-    if (event == Event::object_start) {
-      if (open_.size() == 1) ++entries_;
-      open_.emplace_back();
-    } else if (event == Event::object_end) {
-      open_.pop_back();
-    } else if (event == Event::key && !open_.back().insert(parsed.get<std::string>()).second) {
-      if (first_.empty()) first_ = name(parsed.get<std::string>());
-    }
-    return true;
-  }
-
   /// A sentence on the first one; empty if there is none.
   [[nodiscard]] const std::string& first() const { return first_; }
 
+  bool start_object(std::size_t) override {
+    if (open_.size() == 1) ++entries_;
+    open_.emplace_back();
+    return true;
+  }
+  bool key(std::string& name) override {
+    if (!open_.back().insert(name).second) first_ = sentence(name);
+    return first_.empty();
+  }
+  bool end_object() override {
+    open_.pop_back();
+    return true;
+  }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(Json::number_integer_t) override { return true; }
+  bool number_unsigned(Json::number_unsigned_t) override { return true; }
+  bool number_float(Json::number_float_t, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(Json::binary_t&) override { return true; }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override {
+    return false;  // the parser itself will say it
+  }
+
  private:
-  [[nodiscard]] std::string name(const std::string& key) const {
+  [[nodiscard]] std::string sentence(const std::string& key) const {
     if (open_.size() == 1) return fmt::format("\"{}\" is there more than once", key);
     return fmt::format("requirement {}: \"{}\" is there more than once", entries_ - 1, key);
   }
@@ -162,9 +177,9 @@ Result<std::vector<Requirement>> read_requirements(const std::string& path) {
   Json json;
   RepeatedKeys repeated;
   try {
-    json = Json::parse(*text, [&](int, Json::parse_event_t event, const Json& parsed) {
-      return repeated.see(event, parsed);
-    });
+    Json::sax_parse(*text, &repeated);
+    if (!repeated.first().empty()) return fail(ErrorCode::syntax, repeated.first(), place);
+    json = Json::parse(*text);
   } catch (const Json::parse_error& error) {
     Place where = place;
     where.byte = error.byte > 0 ? error.byte - 1 : 0;
@@ -172,7 +187,6 @@ Result<std::vector<Requirement>> read_requirements(const std::string& path) {
   } catch (const Json::exception&) {
     return fail(ErrorCode::syntax, "holds a number that no double can hold", place);
   }
-  if (!repeated.first().empty()) return fail(ErrorCode::syntax, repeated.first(), place);
   if (!json.is_object() || json.size() != 1 || !json.contains("requirements") ||
       !json["requirements"].is_array()) {
     return fail(ErrorCode::syntax,

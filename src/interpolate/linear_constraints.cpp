@@ -1,6 +1,7 @@
 #include "interpolate/linear_constraints.hpp"
 
 #include <map>
+#include <numeric>
 #include <set>
 
 #include <Eigen/SparseCholesky>
@@ -105,6 +106,38 @@ tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t l
               place_of(requirements[last]));
 }
 
+// Values of the equations in the units of the solve.
+double value_in_units(const RequirementRow& row, const Requirement& r,
+                      const LinearConstraints::Units& units) {
+  if (r.kind != Requirement::Kind::position) return row.value * units.scale;
+  double origin = 0;
+  for (std::size_t c = 0; c < 3; ++c) origin += row.normal[c] * units.origin[c];
+  return (row.value - origin) * units.scale;
+}
+
+// Of the equations: their values in units, and as they were given; and what rows are multiplied
+// with to have length 1, 0 where free points say nothing.
+struct Values {
+  Vector in_units;
+  Vector absolute;
+  Vector factor;
+};
+
+Values values_of(const RequirementRows& equations, std::span<const Requirement> requirements,
+                 const BothRows& rows, const LinearConstraints::Units& units) {
+  const auto count = static_cast<Eigen::Index>(equations.rows.size());
+  Values values{Vector(count), Vector(count), Vector(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const RequirementRow& row = equations.rows[static_cast<std::size_t>(i)];
+    values.in_units[i] = value_in_units(row, requirements[row.requirement], units);
+    values.absolute[i] = row.value;
+    const double length = rows.all.row(i).norm();
+    const double left = rows.free.row(i).norm();
+    values.factor[i] = left > kNothing * length ? 1 / left : 0;
+  }
+  return values;
+}
+
 }  // namespace
 
 struct LinearConstraints::Contents {
@@ -115,8 +148,35 @@ struct LinearConstraints::Contents {
   Vector value;   // in the units of the solve
   Vector absolute_value;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> products;
+  Vector squares;  // the diagonal of these
   std::vector<unsigned char> redundant;
   std::set<std::size_t> opposed;
+
+  // The equations that are solved for: `pick` times all that were asked.
+  void solve_for(const Rows& pick, const BothRows& rows, const Values& values,
+                 const Rows& inverse) {
+    all = pick * rows.all;
+    free = pick * rows.free;
+    value = pick * values.in_units;
+    absolute_value = pick * values.absolute;
+    downward = inverse * Rows(free.transpose());
+    const Eigen::SparseMatrix<double> product = free * downward;
+    squares = product.diagonal();
+    products.compute(product);
+  }
+
+  // Whether each equation has, by what measures changes here, a thousandth or more of its length of
+  // its own, that is, apart from those that were decomposed before it.
+  [[nodiscard]] bool far_from_dependent() const {
+    constexpr double kFar = 1e-6;  // a squared share
+    if (products.info() != Eigen::Success) return false;
+    const Vector pivots = products.vectorD();
+    const auto& order = products.permutationP().indices();
+    for (Eigen::Index i = 0; i < pivots.size(); ++i) {
+      if (!(pivots[order.size() == 0 ? i : order[i]] > kFar * squares[i])) return false;
+    }
+    return true;
+  }
 
   [[nodiscard]] Vector multipliers(const Vector& right) const {
     Vector x = products.solve(right);
@@ -138,15 +198,6 @@ const std::vector<unsigned char>& LinearConstraints::redundant() const {
 const std::set<std::size_t>& LinearConstraints::opposed() const { return contents_->opposed; }
 
 namespace {
-
-// Values of the equations in the units of the solve.
-double value_in_units(const RequirementRow& row, const Requirement& r,
-                      const LinearConstraints::Units& units) {
-  if (r.kind != Requirement::Kind::position) return row.value * units.scale;
-  double origin = 0;
-  for (std::size_t c = 0; c < 3; ++c) origin += row.normal[c] * units.origin[c];
-  return (row.value - origin) * units.scale;
-}
 
 // Rows that are nearly dependent. Of each that is kept only its own part is; of rows that have the
 // same own part one is kept, and the others are sums of it and of those that it is expressed by.
@@ -191,29 +242,6 @@ NearRows nearly_dependent(const Rows& rows, const IndependentRows& found, Skip&&
   return result;
 }
 
-// Of the equations: their values in units, and as they were given; and what rows are multiplied
-// with to have length 1, 0 where free points say nothing.
-struct Values {
-  Vector in_units;
-  Vector absolute;
-  Vector factor;
-};
-
-Values values_of(const RequirementRows& equations, std::span<const Requirement> requirements,
-                 const BothRows& rows, const LinearConstraints::Units& units) {
-  const auto count = static_cast<Eigen::Index>(equations.rows.size());
-  Values values{Vector(count), Vector(count), Vector(count)};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const RequirementRow& row = equations.rows[static_cast<std::size_t>(i)];
-    values.in_units[i] = value_in_units(row, requirements[row.requirement], units);
-    values.absolute[i] = row.value;
-    const double length = rows.all.row(i).norm();
-    const double left = rows.free.row(i).norm();
-    values.factor[i] = left > kNothing * length ? 1 / left : 0;
-  }
-  return values;
-}
-
 // The equations that are solved for, as sums of all. What a nearly dependent row has of its own
 // takes its place, at full length.
 Rows picked_rows(const IndependentRows& found, const NearRows& near, const Vector& factor) {
@@ -232,6 +260,138 @@ Rows picked_rows(const IndependentRows& found, const NearRows& near, const Vecto
   return pick;
 }
 
+IndependentRows every_row(Eigen::Index count) {
+  IndependentRows rows;
+  rows.independent.resize(static_cast<std::size_t>(count));
+  std::iota(rows.independent.begin(), rows.independent.end(), 0);
+  return rows;
+}
+
+tl::unexpected<Error> cancelled() {
+  return fail(ErrorCode::cancelled, "cancelled while setting up");
+}
+
+}  // namespace
+
+namespace {
+
+using Contents = LinearConstraints::Contents;
+
+class Builder {
+ public:
+  Builder(const RequirementRows& equations, std::span<const Requirement> requirements,
+          const FreeSystem& system, std::span<const double> targets,
+          const LinearConstraints::Units& units)
+      : equations_(equations),
+        requirements_(requirements),
+        system_(system),
+        rows_(both_rows(equations, system.elimination)),
+        values_(values_of(equations, requirements, rows_, units)),
+        contents_(std::make_unique<Contents>()) {
+    // What the equations are where all free points are 0.
+    std::vector<double> fixed(system.size(), 0.0);
+    system.elimination.meet(system.context, 3, targets, fixed);
+    missed_ =
+        values_.in_units -
+        rows_.all * Eigen::Map<const Vector>(fixed.data(), static_cast<Eigen::Index>(fixed.size()));
+  }
+
+  Result<std::unique_ptr<Contents>> build() && {
+    if (auto ok = check_fixed(); !ok) return tl::make_unexpected(ok.error());
+    const Rows inverse = inverse_blocks(FreePreconditioner(system_, Precision::full),
+                                        system_.elimination.control_count());
+    // Nearly always all are independent, and then the decomposition that is needed anyway tells so.
+    found_ = every_row(values_.factor.size());
+    contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse);
+    if (system_.context.cancelled()) return cancelled();
+    if (!contents_->far_from_dependent()) {
+      if (auto ok = choose(); !ok) return tl::make_unexpected(ok.error());
+      contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse);
+    }
+    if (contents_->products.info() != Eigen::Success) {
+      return fail(ErrorCode::singular,
+                  "the requirements are too nearly dependent to be solved for");
+    }
+    mark_redundant();
+    contents_->elimination = &system_.elimination;
+    return std::move(contents_);
+  }
+
+ private:
+  // Equations of which free points say nothing hold already, or never.
+  [[nodiscard]] Result<void> check_fixed() const {
+    for (Eigen::Index i = 0; i < values_.factor.size(); ++i) {
+      const double missed = std::abs(missed_[i]);
+      const int row = static_cast<int>(i);
+      if (values_.factor[i] == 0 && !is_chosen(row) && missed > kHolds) {
+        return contradiction({}, requirement_of(row), missed, requirements_);
+      }
+    }
+    return {};
+  }
+
+  // Those that do not depend on others, once it is sure that these agree with them.
+  Result<void> choose() {
+    const Rows scaled = values_.factor.asDiagonal() * rows_.free;
+    found_ = independent_rows(scaled);
+    if (system_.context.cancelled()) return cancelled();
+    near_ = nearly_dependent(scaled, found_, [&](int row) { return is_chosen(row); });
+    for (const DependentRow& d : found_.dependent) {
+      if (d.distance > kDependent && !is_chosen(d.row)) continue;
+      if (auto ok = check_dependent(d); !ok) return ok;
+    }
+    for (const DependentRow& d : near_.dropped) {
+      if (auto ok = check_dependent(d); !ok) return ok;
+    }
+    return {};
+  }
+
+  Result<void> check_dependent(const DependentRow& d) {
+    const auto wanted = [&](int row) { return values_.factor[row] * missed_[row]; };
+    double rest = wanted(d.row);
+    std::set<std::size_t> others;
+    for (const auto& [other, share] : d.shares) {
+      rest -= share * wanted(other);
+      constexpr double kMatters = 1e-6;
+      if (std::abs(share) > kMatters) others.insert(requirement_of(other));
+    }
+    if (values_.factor[d.row] == 0 || std::abs(rest) <= kHolds) return {};
+    if (is_chosen(d.row)) {
+      contents_->opposed.merge(others);
+      return {};
+    }
+    return contradiction(std::move(others), requirement_of(d.row), std::abs(rest), requirements_);
+  }
+
+  void mark_redundant() {
+    std::vector<unsigned char>& redundant = contents_->redundant;
+    redundant.assign(requirements_.size(), 0);
+    for (const RequirementRow& row : equations_.rows) redundant[row.requirement] = 1;
+    const auto is_needed = [&](int row) {
+      if (!is_chosen(row)) redundant[requirement_of(row)] = 0;
+    };
+    for (const int row : found_.independent) is_needed(row);
+    for (const DependentRow& d : near_.kept) is_needed(d.row);
+  }
+
+  [[nodiscard]] std::size_t requirement_of(int row) const {
+    return equations_.rows[static_cast<std::size_t>(row)].requirement;
+  }
+  [[nodiscard]] bool is_chosen(int row) const {
+    return equations_.rows[static_cast<std::size_t>(row)].chosen;
+  }
+
+  const RequirementRows& equations_;
+  std::span<const Requirement> requirements_;
+  const FreeSystem& system_;
+  BothRows rows_;
+  Values values_;
+  Vector missed_;  // by each equation, in the units of the solve, where all free points are 0
+  IndependentRows found_;
+  NearRows near_;
+  std::unique_ptr<Contents> contents_;
+};
+
 }  // namespace
 
 Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equations,
@@ -239,76 +399,9 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& equati
                                                    const FreeSystem& system,
                                                    std::span<const double> targets,
                                                    const Units& units) {
-  const Elimination& elimination = system.elimination;
-  const BothRows rows = both_rows(equations, elimination);
-  // What the equations are where all free points are 0.
-  std::vector<double> fixed(std::size_t{3} * elimination.control_count(), 0.0);
-  elimination.meet(system.context, 3, targets, fixed);
-  const Eigen::Map<const Vector> start(fixed.data(), static_cast<Eigen::Index>(fixed.size()));
-  const Vector at_start = rows.all * start;
-  const Values values = values_of(equations, requirements, rows, units);
-  for (Eigen::Index i = 0; i < values.factor.size(); ++i) {
-    const RequirementRow& row = equations.rows[static_cast<std::size_t>(i)];
-    const double missed = std::abs(values.in_units[i] - at_start[i]);
-    if (values.factor[i] == 0 && !row.chosen && missed > kHolds) {
-      return contradiction({}, row.requirement, missed, requirements);
-    }
-  }
-  const Rows scaled = values.factor.asDiagonal() * rows.free;
-  const Vector wanted = values.factor.cwiseProduct(values.in_units - at_start);
-  const IndependentRows found = independent_rows(scaled);
-  if (system.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  const auto requirement_of = [&](int row) {
-    return equations.rows[static_cast<std::size_t>(row)].requirement;
-  };
-  const auto is_chosen = [&](int row) {
-    return equations.rows[static_cast<std::size_t>(row)].chosen;
-  };
-  auto near = nearly_dependent(scaled, found, is_chosen);
-  auto contents = std::make_unique<Contents>();
-  const auto check = [&](const DependentRow& d) -> Result<void> {
-    double rest = wanted[d.row];
-    std::set<std::size_t> others;
-    for (const auto& [other, share] : d.shares) {
-      rest -= share * wanted[other];
-      constexpr double kMatters = 1e-6;
-      if (std::abs(share) > kMatters) others.insert(requirement_of(other));
-    }
-    if (values.factor[d.row] == 0 || std::abs(rest) <= kHolds) return {};
-    if (is_chosen(d.row)) {
-      contents->opposed.merge(others);
-      return {};
-    }
-    return contradiction(std::move(others), requirement_of(d.row), std::abs(rest), requirements);
-  };
-  for (const DependentRow& d : found.dependent) {
-    if (d.distance > kDependent && !is_chosen(d.row)) continue;
-    if (auto ok = check(d); !ok) return tl::make_unexpected(ok.error());
-  }
-  for (const DependentRow& d : near.dropped) {
-    if (auto ok = check(d); !ok) return tl::make_unexpected(ok.error());
-  }
-  contents->elimination = &elimination;
-  contents->redundant.assign(requirements.size(), 0);
-  for (const RequirementRow& row : equations.rows) contents->redundant[row.requirement] = 1;
-  const auto is_needed = [&](int row) {
-    if (!is_chosen(row)) contents->redundant[requirement_of(row)] = 0;
-  };
-  for (const int row : found.independent) is_needed(row);
-  for (const DependentRow& d : near.kept) is_needed(d.row);
-  const Rows pick = picked_rows(found, near, values.factor);
-  contents->all = pick * rows.all;
-  contents->free = pick * rows.free;
-  contents->value = pick * values.in_units;
-  contents->absolute_value = pick * values.absolute;
-  const FreePreconditioner preconditioner(system, Precision::full);
-  contents->downward = inverse_blocks(preconditioner, elimination.control_count()) *
-                       Rows(contents->free.transpose());
-  contents->products.compute(contents->free * contents->downward);
-  if (contents->products.info() != Eigen::Success) {
-    return fail(ErrorCode::singular, "the requirements are too nearly dependent to be solved for");
-  }
-  return LinearConstraints(std::move(contents));
+  auto contents = Builder(equations, requirements, system, targets, units).build();
+  if (!contents) return tl::make_unexpected(contents.error());
+  return LinearConstraints(std::move(*contents));
 }
 
 void LinearConstraints::clear(std::span<double> gradient) const {

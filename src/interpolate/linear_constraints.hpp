@@ -16,6 +16,7 @@ namespace surpass {
 /// Numbers of control points are #control by 3. Equations that follow from others are dropped.
 class LinearConstraints {
  public:
+  struct Contents;  // for its own file
   /// `origin` and `scale` take control points p to (p - origin) * scale, the units of the solve.
   struct Units {
     Point origin;
@@ -25,8 +26,9 @@ class LinearConstraints {
   /// Fails with `contradictory` if equations contradict each other or the given vertices, naming
   /// the requirements; with `cancelled`. Of those that nearly depend on others only what they have
   /// of their own is solved for, at full length; of chosen ones nothing. `targets` are those of the
-  /// given vertices in the units, #given by 3. Cost: two sparse Cholesky decompositions of the
-  /// equations' products. The elimination must outlive it.
+  /// given vertices in the units, #given by 3. Cost: a sparse Cholesky decomposition of the
+  /// equations' products; three where some depend on others, or nearly. The elimination must outlive
+  /// it.
   static Result<LinearConstraints> build(const RequirementRows& equations,
                                          std::span<const Requirement> requirements,
                                          const FreeSystem& system, std::span<const double> targets,
@@ -56,7 +58,6 @@ class LinearConstraints {
   [[nodiscard]] const std::set<std::size_t>& opposed() const;
 
  private:
-  struct Contents;
   explicit LinearConstraints(std::unique_ptr<Contents> contents);
   std::unique_ptr<Contents> contents_;
 };
