@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -37,6 +38,12 @@ Result<RenderOptions> to_options(const PictureWishes& wishes) {
   const auto camera = read_numbers("--camera", wishes.camera, ',', 2, 3, "30,20");
   if (!camera) return tl::make_unexpected(camera.error());
   RenderOptions options;
+  for (const double pixels : *size) {
+    if (std::isfinite(pixels) && pixels == std::floor(pixels)) continue;
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("--size takes whole numbers of pixels like 1024x768, not '{}'", wishes.size));
+  }
   const auto pixels = [](double x) { return static_cast<int>(std::clamp(x, -1e6, 1e6)); };
   options.width = pixels((*size)[0]);
   options.height = pixels((*size)[1]);

@@ -99,7 +99,8 @@ class Check : public Command {
     }
     const Rules rules = rules_.choose(control->mesh, session);
     if (const auto possible = check_oracle(oracle_, rules); !possible) return possible;
-    if (rules_.nonstationary()) return judge_nonstationary(control->mesh, given->mesh, session);
+    if (rules_.nonstationary())
+      return judge_nonstationary(control->mesh, given->mesh, rules, session);
     if (const auto same = check_counts(control->mesh, given->mesh); !same) return same;
     return judge(control->mesh, given->mesh, rules, session);
   }
@@ -188,7 +189,8 @@ class Check : public Command {
 
   /// A surface that was written has the given vertices first; else the given mesh is what makes it,
   /// and its limit is taken from its first refinement.
-  Result<void> judge_nonstationary(const Mesh& control, const Mesh& given, Session& session) const {
+  Result<void> judge_nonstationary(const Mesh& control, const Mesh& given, const Rules& rules,
+                                   Session& session) const {
     if (oracle_) {
       return fail(ErrorCode::invalid_argument,
                   "OpenSubdiv has no nonstationary-loop; leave out --oracle");
@@ -206,7 +208,7 @@ class Check : public Command {
     if (!found) return tl::make_unexpected(found.error());
     const auto own = compare_points(std::span(*found).first(n), surface->aims(), "surpass");
     if (!own) return tl::make_unexpected(own.error());
-    return conclude(findings_of(*own, session), given.points, {Scheme::loop}, session);
+    return conclude(findings_of(*own, session), given.points, rules, session);
   }
 
   Result<void> conclude(const Findings& findings, std::span<const Point> given, const Rules& rules,

@@ -1,6 +1,10 @@
 #include "other_program.hpp"
 
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,7 +24,15 @@ fs::path beside_this_program(const std::string& name) {
 }  // namespace
 
 bool has_other_program(const CommandEntry& entry) {
-  return access(beside_this_program(fmt::format("surpass-{}", entry.name)).c_str(), X_OK) == 0;
+  const std::string name = fmt::format("surpass-{}", entry.name);
+  const auto is_there = [](const fs::path& path) { return access(path.c_str(), X_OK) == 0; };
+  if (is_there(beside_this_program(name))) return true;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (is_there(fs::path(folder) / name)) return true;
+  }
+  return false;
 }
 
 int run_other_program(const CommandEntry& entry, const std::vector<std::string>& words) {
@@ -33,6 +45,10 @@ int run_other_program(const CommandEntry& entry, const std::vector<std::string>&
   pointers.push_back(nullptr);
   execv(beside_this_program(name).c_str(), pointers.data());
   execvp(name.c_str(), pointers.data());
+  if (errno != ENOENT) {
+    Console().error(fmt::format("{} cannot be started: {}", name, std::strerror(errno)));
+    return exit_status(ErrorCode::not_built_in);
+  }
   Console().error(
       fmt::format("'{}' is a program of its own, {}, which is neither beside surpass nor on the "
                   "PATH; it is built with {}",

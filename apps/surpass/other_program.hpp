@@ -1,5 +1,5 @@
-// Commands that are programs of their own: their licence is another, or what they are linked to takes
-// longer to load than a small mesh to interpolate.
+// Commands that are programs of their own: their licence is another, or what they are linked to
+// takes longer to load than a small mesh to interpolate.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ inline constexpr CommandEntry kRender = {
 /// program, and then has said so.
 int run_other_program(const CommandEntry& entry, const std::vector<std::string>& words);
 
-/// Whether there is such a program beside this one.
+/// Whether there is such a program where run_other_program() looks.
 [[nodiscard]] bool has_other_program(const CommandEntry& entry);
 
 }  // namespace surpass::cli

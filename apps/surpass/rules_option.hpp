@@ -1,4 +1,4 @@
-// Which scheme and which boundary rule: told, recorded in the file, or the default.
+// Which scheme, boundary rule and weights: told, recorded in the file, or the default.
 #pragma once
 
 #include <surpass/mesh.hpp>
@@ -38,7 +38,8 @@ class RulesOption {
 
   /// The command line wins over what the mesh records (a comment of a control mesh, then
   /// OpenSubdiv's `t interpolateboundary`), and that over the suggested scheme and edge-and-corner.
-  /// What is found is noted in report["scheme"] and report["boundary"].
+  /// What is found is noted in report["scheme"], report["boundary"] and, but for the default,
+  /// report["weights"].
   [[nodiscard]] Rules choose(const Mesh& mesh, Session& session) const;
 
  private:

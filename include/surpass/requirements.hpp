@@ -29,7 +29,7 @@ struct Requirement {
   SurfacePlace place = {};
   Point value = {};
   /// a du + b dv, by the parameters of the place; see SurfaceSample for what du and dv are where
-  /// the surface is irregular. At a vertex, of any face's corner there that has `towards` next.
+  /// the surface is irregular. At a vertex it has no meaning: `towards` says it.
   std::array<double, 2> along = {1, 0};
   /// At a vertex, for directions and derivatives: the neighbour along whose edge they go. The
   /// derivative is by the parameter that has 1 in the middle of the edge.
@@ -64,13 +64,17 @@ struct Requirement {
 [[nodiscard]] bool prescribes_at_boundary(const Mesh& given,
                                           std::span<const Requirement> requirements);
 
+/// Of what a surface that was found for requirements is asked: none is missed by more, relative to
+/// the box side, whatever the tolerance of the given vertices.
+inline constexpr double kRequirementTolerance = 1e-10;
+
 /// What became of a requirement.
 struct RequirementOutcome {
   bool redundant = false;  ///< it follows from the others, or from the given vertices
   /// What is left of its equations on the final surface, relative to the side of the given points'
   /// box, with those that requirements move at their new places: the distance of positions, the
   /// difference of derivatives, the part of du and dv along the normal, the part of the derivative
-  /// across the direction.
+  /// across the direction; derivatives along `along` at length 1.
   double error = 0;
   /// The angle to the normal or direction in radians, 0 to pi; 0 for other kinds.
   double angle = 0;

@@ -166,9 +166,10 @@ class SimilarityInterpolator {
   /// The same with further requirements, at the vertices and at places of the given mesh. They are
   /// met exactly, as the given vertices are, however far the iteration comes; what follows from the
   /// others is dropped and reported. `reference` may be empty: the given points.
-  /// Errors: `invalid_argument` for a requirement that says nothing possible, `singular` for those
-  /// that contradict each other or the given vertices, both naming them. Needs a scheme that
-  /// LimitSurface evaluates.
+  /// Errors: `invalid_argument` for a requirement that says nothing possible, `contradictory` for
+  /// those that contradict each other or the given vertices, `not_finite` for numbers too large to
+  /// compute with, all naming them. All but moved and removed vertices need a scheme that
+  /// LimitSurface evaluates. Not converged: one is missed by more than kRequirementTolerance.
   /// Method: what the equations forbid is projected out of the gradient in each iteration, by a
   /// sparse Cholesky decomposition of their products; another one finds those that depend on the
   /// rest. Lai and Cheng 2006, section 3, choose a vertex to eliminate for each requirement.
@@ -183,7 +184,7 @@ class SimilarityInterpolator {
   /// `solve_required` measure by it, start from it, and after no iterations leave all but the given
   /// vertices, and what requirements move, there. `own` as solve_like's reference; empty: the given
   /// points. Errors: those of solve_like, and of solve_required for requirements that say nothing
-  /// possible.
+  /// possible or contradict each other before anything is solved.
   [[nodiscard]] Result<std::vector<Point>> reference(std::span<const Point> points,
                                                      std::span<const Point> own = {},
                                                      std::span<const Requirement> requirements = {},

@@ -244,8 +244,9 @@ template <class W, bool kRegular>
     // Among three faces two of the places are of the same fine point.
     alignas(kLaneAlignment) typename W::Numbers window[25] = {};
     star_patch::collect_patch(rows.of[c], kRegular, window);
+    constexpr std::size_t kUnseen = kRegular ? 15 : 0;  // by any row
     star_patch::for_places([&](std::size_t i) __attribute__((always_inline)) {
-      if (i != (kRegular ? 15 : 0)) at<W>(fine[places.fine(i)].of[c] + first) += window[i];
+      if (i != kUnseen) at<W>(fine[places.fine(i)].of[c] + first) += window[i];
     });
   }
 }

@@ -121,6 +121,9 @@ void meet_coupled(const CoupledRow& row, std::size_t width, std::span<const doub
 
 }  // namespace
 
+// A row's weights sum to one. So all can be said of differences to the row's own target, which far
+// from the origin are exact where the numbers themselves would be rounded.
+
 // For three numbers a point, the case that matters: the sums stay in registers.
 void Elimination::meet_3(Index i, const double* own, std::span<double> x) const {
   const auto columns = limits_.row_columns(i);
@@ -134,9 +137,6 @@ void Elimination::meet_3(Index i, const double* own, std::span<double> x) const 
   double* to = &x[std::size_t{3} * dependent_[i]];
   for (std::size_t c = 0; c < 3; ++c) to[c] = own[c] + rest[c] / pivot_[i];
 }
-
-// A row's weights sum to one. So all can be said of differences to the row's own target, which far
-// from the origin are exact where the numbers themselves would be rounded.
 
 void Elimination::meet(const Context& context, std::size_t width, std::span<const double> targets,
                        std::span<double> x) const {

@@ -152,8 +152,9 @@ FreeOutcome gauss_seidel(const FreeSystem& system, const PatchLayout& layout, co
   if (!progress.goes_on()) return std::move(progress).outcome();
   const Assembly assembly(system, layout);
   const auto assembled = assembly.matrix();
+  if (!assembled) return {.cancelled = true};
   const std::size_t width = system.width / assembly.parts();
-  while (progress.goes_on() && assembled) {
+  while (progress.goes_on()) {
     const Sparse& matrix = *assembled;
     if (system.constraints == nullptr) {
       sweep(matrix, width, gradient, change);

@@ -12,7 +12,9 @@ class FreeProgress {
  public:
   /// `gradient`: at the start; what follows is relative to its length.
   FreeProgress(const FreeSystem& system, const StopAt& stop, std::span<const double> gradient)
-      : system_(system), stop_(stop), start_(std::sqrt(system.dot(gradient, gradient))) {}
+      : system_(system), stop_(stop), start_(std::sqrt(system.dot(gradient, gradient))) {
+    outcome_.at_rest = start_ == 0;
+  }
 
   /// Whether another iteration is to follow.
   [[nodiscard]] bool goes_on() {
@@ -29,7 +31,7 @@ class FreeProgress {
     reached_ = residual <= stop_.tolerance;
     const double fraction = std::log(residual) / std::log(stop_.tolerance);
     system_.context.report({.stage = "solve",
-                            .fraction = std::min(1.0, fraction),
+                            .fraction = fraction >= 0 ? std::min(1.0, fraction) : 0.0,
                             .iteration = outcome_.iterations,
                             .error = residual});
   }

@@ -51,9 +51,9 @@ struct StopAt {
 
 struct FreeOutcome {
   bool cancelled = false;
+  bool at_rest = false;  ///< the gradient vanished from the start
   unsigned iterations = 0;
   std::vector<double> residuals = {};  ///< relative, after each iteration
-  [[nodiscard]] double residual() const { return residuals.empty() ? 1 : residuals.back(); }
 };
 
 /// Brings `x` to where the gradient vanishes by a change that is extended; `gradient` is that at

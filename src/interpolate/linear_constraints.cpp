@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpolate/independent_rows.hpp"
+#include "interpolate/requirement_places.hpp"
 
 namespace surpass {
 namespace {
@@ -18,8 +19,10 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 // Of an equation's length. What is left of it by free points is rounding if it is shorter.
 constexpr double kNothing = 1e-9;
-// In units of the box: equations that are dropped must hold to this.
+// Relative to the box side: equations that are dropped must hold to this.
 constexpr double kHolds = 1e-10;
+// In the units of the solve; squares of larger numbers may overflow.
+constexpr double kFarthest = 1e100;
 
 int number(std::size_t i) { return static_cast<int>(i); }
 
@@ -81,26 +84,16 @@ Rows inverse_blocks(const FreePreconditioner& preconditioner, Index control_poin
   return blocks;
 }
 
-std::string named(const std::set<std::size_t>& numbers, std::span<const Requirement> requirements) {
-  constexpr std::size_t kNamed = 6;
-  std::string text;
-  std::size_t count = 0;
-  for (const std::size_t i : numbers) {
-    if (count == kNamed) return text + fmt::format(" and {} more", numbers.size() - kNamed);
-    text += fmt::format("{}{} ({})", count == 0 ? "" : ", ", i, describe(requirements[i]));
-    ++count;
-  }
-  return text;
-}
-
+// `amount`: in units of the box side.
 tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t last, double amount,
                                     std::span<const Requirement> requirements) {
   numbers.insert(last);
+  const std::vector<std::size_t> all(numbers.begin(), numbers.end());
   const std::string what =
-      numbers.size() == 1
+      all.size() == 1
           ? fmt::format("requirement {} contradicts itself or the given vertices",
-                        named(numbers, requirements))
-          : fmt::format("requirements contradict each other: {}", named(numbers, requirements));
+                        names_of(all, requirements))
+          : fmt::format("requirements contradict each other: {}", names_of(all, requirements));
   return fail(ErrorCode::contradictory,
               fmt::format("{}; together they miss by {:.3g} of the box side", what, amount),
               place_of(requirements[last]));
@@ -285,6 +278,7 @@ class Builder {
       : equations_(equations),
         requirements_(requirements),
         system_(system),
+        side_(units.side * units.scale),
         rows_(both_rows(equations, system.elimination)),
         values_(values_of(equations, requirements, rows_, units)),
         contents_(std::make_unique<Contents>()) {
@@ -318,11 +312,19 @@ class Builder {
   }
 
  private:
-  // Equations of which free points say nothing hold already, or never.
+  // Whether equations can be computed with, and those of which free points say nothing hold
+  // already, or never.
   [[nodiscard]] Result<void> check_fixed() const {
     for (Eigen::Index i = 0; i < values_.factor.size(); ++i) {
-      const double missed = std::abs(missed_[i]);
+      const double missed = std::abs(missed_[i]) / side_;
       const int row = static_cast<int>(i);
+      if (!(std::abs(values_.in_units[i]) <= kFarthest)) {
+        const std::size_t number = requirement_of(row);
+        return refuse_requirement(requirements_[number], number,
+                                  "its numbers are so large beside the given mesh that nothing can "
+                                  "be computed with both",
+                                  ErrorCode::not_finite);
+      }
       if (values_.factor[i] == 0 && !is_chosen(row) && missed > kHolds) {
         return contradiction({}, requirement_of(row), missed, requirements_);
       }
@@ -347,6 +349,7 @@ class Builder {
   }
 
   Result<void> check_dependent(const DependentRow& d) {
+    if (values_.factor[d.row] == 0) return {};
     const auto wanted = [&](int row) { return values_.factor[row] * missed_[row]; };
     double rest = wanted(d.row);
     std::set<std::size_t> others;
@@ -355,12 +358,13 @@ class Builder {
       constexpr double kMatters = 1e-6;
       if (std::abs(share) > kMatters) others.insert(requirement_of(other));
     }
-    if (values_.factor[d.row] == 0 || std::abs(rest) <= kHolds) return {};
+    const double missed = std::abs(rest) / values_.factor[d.row] / side_;
+    if (missed <= kHolds) return {};
     if (is_chosen(d.row)) {
       contents_->opposed.merge(others);
       return {};
     }
-    return contradiction(std::move(others), requirement_of(d.row), std::abs(rest), requirements_);
+    return contradiction(std::move(others), requirement_of(d.row), missed, requirements_);
   }
 
   void mark_redundant() {
@@ -384,6 +388,7 @@ class Builder {
   const RequirementRows& equations_;
   std::span<const Requirement> requirements_;
   const FreeSystem& system_;
+  double side_;  // of the box, in the units of the solve
   BothRows rows_;
   Values values_;
   Vector missed_;  // by each equation, in the units of the solve, where all free points are 0

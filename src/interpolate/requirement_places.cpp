@@ -1,11 +1,13 @@
 #include "interpolate/requirement_places.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "interpolate/requirement_rows.hpp"
+#include "mesh/wording.hpp"
 #include "scheme/quarter.hpp"
 
 namespace surpass {
@@ -28,14 +30,20 @@ class Locator {
  public:
   Locator(const Mesh& given, std::span<const Requirement> requirements)
       : given_(given), corners_(first_corners(given)) {
-    for (const Requirement& r : requirements) edges_needed_ = edges_needed_ || r.towards != kNone;
-    for (Index f = 0; edges_needed_ && f < given.face_count(); ++f) {
+    std::vector<unsigned char> asked(given.vertex_count(), 0);  // for edges there
+    bool any = false;
+    for (const Requirement& r : requirements) {
+      if (r.towards == kNone || r.vertex >= given.vertex_count()) continue;
+      asked[r.vertex] = 1;
+      any = true;
+    }
+    for (Index f = 0; any && f < given.face_count(); ++f) {
       const auto face = given.face(f);
       for (std::size_t k = 0; k < face.size(); ++k) {
+        if (asked[face[k]] == 0) continue;
         const Index corner = given.face_offsets[f] + static_cast<Index>(k);
         leaving_[{face[k], face[(k + 1) % face.size()]}] = corner;
-        before_[{face[(k + 1) % face.size()], face[k]}] =
-            given.face_offsets[f] + static_cast<Index>((k + 1) % face.size());
+        before_[{face[k], face[(k + face.size() - 1) % face.size()]}] = corner;
       }
     }
   }
@@ -89,10 +97,43 @@ class Locator {
 
   const Mesh& given_;
   std::vector<Index> corners_;
-  bool edges_needed_ = false;
   std::map<std::array<Index, 2>, Index> leaving_;  // a corner whose next vertex is the second
   std::map<std::array<Index, 2>, Index> before_;   // a corner whose previous vertex is the second
 };
+
+// At a vertex the edge is the direction.
+bool has_along(const Requirement& r) {
+  return r.vertex == kNone && (r.kind == Kind::direction || r.kind == Kind::derivative);
+}
+
+// The numbers by their length; as they are where they have none.
+template <class Numbers>
+void make_unit(Numbers& numbers, double& length) {
+  double largest = 0;
+  for (const double x : numbers) largest = std::max(largest, std::abs(x));
+  if (!(largest > 0) || !std::isfinite(largest)) return;
+  double square = 0;
+  for (const double x : numbers) square += x / largest * (x / largest);
+  for (double& x : numbers) x = x / largest / std::sqrt(square);
+  length = largest * std::sqrt(square);
+}
+
+Requirement canonical(Requirement r) {
+  if (r.vertex != kNone) r.place = {};
+  if (r.kind == Kind::remove) r.value = {};
+  double length = 1;
+  if (!has_along(r)) {
+    r.along = {1, 0};
+  } else {
+    make_unit(r.along, length);
+  }
+  if (r.kind == Kind::normal || r.kind == Kind::direction) {
+    make_unit(r.value, length);
+  } else if (r.kind == Kind::derivative) {
+    for (double& x : r.value) x /= length;
+  }
+  return r;
+}
 
 Result<void> check_numbers(const Requirement& r, std::size_t number) {
   if (r.kind == Kind::remove) return {};
@@ -100,8 +141,7 @@ Result<void> check_numbers(const Requirement& r, std::size_t number) {
   const bool has_direction = r.kind == Kind::normal || r.kind == Kind::direction;
   if (has_direction && r.value == Point{})
     return refuse_requirement(r, number, "it has the length 0");
-  const bool has_along = r.kind == Kind::direction || r.kind == Kind::derivative;
-  if (!has_along) return {};
+  if (!has_along(r)) return {};
   const auto [a, b] = r.along;
   if (!std::isfinite(a) || !std::isfinite(b) || (a == 0 && b == 0)) {
     return refuse_requirement(r, number, "it has no direction of derivative");
@@ -114,6 +154,24 @@ Result<void> check_numbers(const Requirement& r, std::size_t number) {
 tl::unexpected<Error> refuse_requirement(const Requirement& r, std::size_t number,
                                          std::string_view why, ErrorCode code) {
   return fail(code, fmt::format("requirement {} ({}): {}", number, describe(r), why), place_of(r));
+}
+
+std::string names_of(std::span<const std::size_t> numbers,
+                     std::span<const Requirement> requirements) {
+  constexpr std::size_t kNamed = 6;
+  std::vector<std::string> names;
+  for (const std::size_t i : numbers.first(std::min(kNamed, numbers.size()))) {
+    names.push_back(fmt::format("{} ({})", i, describe(requirements[i])));
+  }
+  return joined(names, ", ") +
+         (numbers.size() > kNamed ? fmt::format(" and {} more", numbers.size() - kNamed) : "");
+}
+
+std::vector<Requirement> canonical(std::span<const Requirement> requirements) {
+  std::vector<Requirement> all;
+  all.reserve(requirements.size());
+  for (const Requirement& r : requirements) all.push_back(canonical(r));
+  return all;
 }
 
 Result<std::vector<LocatedRequirement>> located_requirements(
@@ -131,7 +189,7 @@ Result<std::vector<LocatedRequirement>> located_requirements(
 }
 
 Result<void> check_requirements(const Mesh& given, std::span<const Requirement> requirements) {
-  const auto located = located_requirements(given, requirements);
+  const auto located = located_requirements(given, canonical(requirements));
   if (!located) return tl::make_unexpected(located.error());
   return {};
 }

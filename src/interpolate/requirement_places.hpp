@@ -5,6 +5,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +16,13 @@ struct LocatedRequirement {
   std::array<double, 2> along;  ///< by its parameters
 };
 
-/// Fails where check_requirements() does.
+/// The same requirements in one way of saying them: what has no meaning where they are is left out,
+/// and lengths without a meaning are 1. Those of normals, directions and, at places, of the
+/// directions of derivatives; a derivative is divided by the last. Numbers that
+/// check_requirements() refuses stay.
+[[nodiscard]] std::vector<Requirement> canonical(std::span<const Requirement> requirements);
+
+/// Of canonical requirements. Fails where check_requirements() does.
 [[nodiscard]] Result<std::vector<LocatedRequirement>> located_requirements(
     const Mesh& given, std::span<const Requirement> requirements);
 
@@ -23,5 +30,9 @@ struct LocatedRequirement {
 [[nodiscard]] tl::unexpected<Error> refuse_requirement(
     const Requirement& r, std::size_t number, std::string_view why,
     ErrorCode code = ErrorCode::invalid_argument);
+
+/// "3 (normal at vertex 7), 5 (...)": the first six of them.
+[[nodiscard]] std::string names_of(std::span<const std::size_t> numbers,
+                                   std::span<const Requirement> requirements);
 
 }  // namespace surpass

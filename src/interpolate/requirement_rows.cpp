@@ -1,6 +1,8 @@
 #include "interpolate/requirement_rows.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <numeric>
+#include <tuple>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -35,6 +37,7 @@ class Equations {
   Result<void> add(const Requirement& r, std::size_t number, const LocatedRequirement& at,
                    SurfaceStencil stencil) {
     out_.first_row.push_back(out_.rows.size());
+    if (out_.repeated[number] != 0) return {};
     switch (r.kind) {
       case Kind::remove: return {};
       case Kind::position: return position(r, number, std::move(stencil));
@@ -91,11 +94,8 @@ class Equations {
   RequirementRows& out_;
 };
 
-// Positions and removals at the same vertex cannot both be meant, unless they say the same. Marks
-// those that do.
-Result<std::vector<unsigned char>> repeats(std::span<const Requirement> requirements,
-                                           const Mesh& given) {
-  std::vector<unsigned char> repeated(requirements.size(), 0);
+// Positions and removals at the same vertex cannot both be meant, unless they say the same.
+Result<void> check_vertices(std::span<const Requirement> requirements, const Mesh& given) {
   std::vector<std::size_t> first(given.vertex_count(), requirements.size());
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
@@ -103,14 +103,31 @@ Result<std::vector<unsigned char>> repeats(std::span<const Requirement> requirem
     std::size_t& other = first[r.vertex];
     if (other == requirements.size()) {
       other = i;
-    } else if (requirements[other] == r) {
-      repeated[i] = 1;
-    } else {
-      return fail(ErrorCode::contradictory,
-                  fmt::format("requirements contradict each other: {} ({}), {} ({})", other,
-                              describe(requirements[other]), i, describe(r)),
-                  place_of(r));
+    } else if (requirements[other] != r) {
+      return fail(
+          ErrorCode::contradictory,
+          "requirements contradict each other: " + names_of(std::array{other, i}, requirements),
+          place_of(r));
     }
+  }
+  return {};
+}
+
+// Those that are the same as an earlier one. Equations would show it, too, at the cost of
+// expressing each by the others.
+std::vector<unsigned char> repeats(std::span<const Requirement> requirements) {
+  const auto all_of = [&](std::size_t i) {
+    const Requirement& r = requirements[i];
+    return std::tie(r.kind, r.vertex, r.towards, r.place.face, r.place.corner, r.place.u, r.place.v,
+                    r.along, r.value);
+  };
+  std::vector<std::size_t> order(requirements.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return all_of(a) < all_of(b); });
+  std::vector<unsigned char> repeated(requirements.size(), 0);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    repeated[order[k]] = requirements[order[k]] == requirements[order[k - 1]] ? 1 : 0;
   }
   return repeated;
 }
@@ -150,12 +167,11 @@ Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules
     out.places.push_back((*located)[i].place);
     out.along.push_back((*located)[i].along);
   }
-  auto repeated = repeats(requirements, given);
-  if (!repeated) return tl::make_unexpected(repeated.error());
-  out.repeated = std::move(*repeated);
+  if (auto ok = check_vertices(requirements, given); !ok) return tl::make_unexpected(ok.error());
+  out.repeated = repeats(requirements);
   auto stencils = stencils_of(refined, rules, requirements, out.places, context);
   if (!stencils) return tl::make_unexpected(stencils.error());
-  if (auto ok = check_tangents(requirements, *stencils, out.along); !ok) {
+  if (auto ok = check_tangents(requirements, *stencils, out); !ok) {
     return tl::make_unexpected(ok.error());
   }
   out.first_there = first_there(requirements, *stencils);

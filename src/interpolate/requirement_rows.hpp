@@ -41,7 +41,7 @@ struct RequirementRows {
   std::vector<Weights> weights;
   std::vector<RequirementRow> rows;
   std::vector<std::size_t> first_row;   ///< of each requirement; the next one's where it has none
-  std::vector<unsigned char> repeated;  ///< of each: an earlier one at its vertex says the same
+  std::vector<unsigned char> repeated;  ///< of each: it is the same as an earlier one, and has none
   std::vector<unsigned char> released;  ///< #given: removed vertices; empty without any
   std::vector<Point> targets;           ///< #given points, positions at vertices replaced
   std::vector<SurfacePlace> places;     ///< of each requirement, on the refined mesh
@@ -50,9 +50,9 @@ struct RequirementRows {
   std::vector<std::size_t> first_there;
 };
 
-/// Fails where check_requirements() does; with `contradictory`, naming the requirement, where the
-/// surface has no such tangent or no tangent plane, and, naming all, if two say different things of
-/// one vertex or of its tangents.
+/// Of canonical requirements. Fails where check_requirements() does; with `contradictory`, naming
+/// the requirement, where the surface has no such tangent or no tangent plane, and, naming all, if
+/// two say different things of one vertex or of its tangents.
 [[nodiscard]] Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules,
                                                        const Mesh& given,
                                                        std::span<const Requirement> requirements,

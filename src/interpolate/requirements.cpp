@@ -4,12 +4,34 @@
 
 #include <fmt/format.h>
 
+#include "scheme/sharpness.hpp"
+
 namespace surpass {
 namespace {
 
 constexpr std::array kKinds = {Requirement::Kind::position, Requirement::Kind::normal,
                                Requirement::Kind::direction, Requirement::Kind::derivative,
                                Requirement::Kind::remove};
+
+// #V: how many infinitely sharp edges inside the surface end at each vertex, and two for one that
+// is infinitely sharp itself.
+Result<std::vector<Index>> sharp_ends(const Mesh& mesh, const Topology& topology,
+                                      const Rules& rules) {
+  const auto sharpness = Sharpness::build(mesh, topology, rules.boundary);
+  if (!sharpness) return tl::make_unexpected(sharpness.error());
+  std::vector<Index> ends(mesh.points.size(), 0);
+  for (Index e = 0; !mesh.creases.empty() && e < topology.edge_count(); ++e) {
+    if (topology.is_boundary_edge(e) || !is_infinite(sharpness->edge(topology, e))) continue;
+    for (const Index v : topology.edge_vertices(e)) ++ends[v];
+  }
+  for (const Corner& corner : mesh.corners) {
+    // Such a vertex stays fixed with or without a tag, and has a plane.
+    const bool one_face =
+        topology.is_boundary(corner.vertex) && topology.faces_at(corner.vertex) == 1;
+    if (!one_face && is_infinite(sharpness->vertex(corner.vertex))) ends[corner.vertex] = 2;
+  }
+  return ends;
+}
 
 }  // namespace
 
@@ -54,27 +76,17 @@ Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh, const Rule
   }
   const auto topology = Topology::build(mesh);
   if (!topology) return tl::make_unexpected(topology.error());
-  std::vector<int> sharp(mesh.points.size(), 0);
-  for (const Crease& crease : mesh.creases) {
-    const auto [a, b] = crease.vertices;
-    if (crease.sharpness < kInfinitelySharp || a >= sharp.size() || b >= sharp.size()) continue;
-    ++sharp[a];
-    ++sharp[b];
-  }
-  for (const Corner& corner : mesh.corners) {
-    if (corner.sharpness >= kInfinitelySharp && corner.vertex < sharp.size()) {
-      sharp[corner.vertex] += 2;
-    }
-  }
+  const auto sharp = sharp_ends(mesh, *topology, rules);
+  if (!sharp) return tl::make_unexpected(sharp.error());
   std::vector<Requirement> requirements;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const bool one_face = rules.boundary == Boundary::edge_only && topology->is_boundary(v) &&
                           topology->faces_at(v) == 1;
     const bool on_boundary = topology->is_boundary(v) && !topology->is_isolated(v);
-    const int allowed = on_boundary ? 0 : 1;  // one crease is a dart
+    const Index allowed = on_boundary ? 0 : 1;  // one crease is a dart
     const bool two_faces =
         rules.scheme == Scheme::catmull_clark && !on_boundary && topology->faces_at(v) == 2;
-    if (two_faces || topology->is_isolated(v) || topology->is_bowtie(v) || sharp[v] > allowed ||
+    if (two_faces || topology->is_isolated(v) || topology->is_bowtie(v) || (*sharp)[v] > allowed ||
         one_face) {
       continue;
     }
@@ -91,7 +103,7 @@ Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh, const Rule
 
 namespace {
 
-// Whether a place on face f lies on a side without a neighbour.
+// Whether a place on face f lies on a side without a neighbour, or in a vertex of the boundary.
 bool lies_on_boundary(const Topology& topology, const SurfacePlace& place) {
   if (place.face >= topology.face_count()) return false;
   const Index begin = topology.face_begin(place.face);
@@ -99,6 +111,14 @@ bool lies_on_boundary(const Topology& topology, const SurfacePlace& place) {
   const auto is_open = [&](Index side) {
     return topology.opposite(begin + side % degree) == kNone;
   };
+  const auto is_end = [](double x) { return x == 0 || x == 1; };
+  if (place.corner == kNone && is_end(place.u) && is_end(place.v)) {
+    const Index k = place.v == 0 ? (place.u == 0 ? 0 : 1) : (place.u == 1 ? 2 : 3);
+    return topology.is_boundary(topology.tail(begin + k));
+  }
+  if (place.corner != kNone && place.corner < degree && place.u == 0 && place.v == 0) {
+    return topology.is_boundary(topology.tail(begin + place.corner));
+  }
   if (place.corner == kNone) {
     return (place.v == 0 && is_open(0)) || (place.u == 1 && is_open(1)) ||
            (place.v == 1 && is_open(2)) || (place.u == 0 && is_open(3));

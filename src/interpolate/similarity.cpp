@@ -9,6 +9,7 @@
 
 #include "interpolate/linear_system.hpp"
 #include "interpolate/requirement_outcomes.hpp"
+#include "interpolate/requirement_places.hpp"
 #include "interpolate/similarity_report.hpp"
 #include "interpolate/tangent_lengths.hpp"
 #include "interpolate/tangent_wishes.hpp"
@@ -143,7 +144,7 @@ void mark_redundant(const RequirementRows& equations, const Found& found,
 // Nothing is nearer than 4 units in the last place of `points`.
 void judge_outcomes(std::span<const Requirement> requirements, std::span<const Point> points,
                     double side, SimilarityReport& report) {
-  const double tolerance = floored_tolerance(1e-10, flat(points), side);
+  const double tolerance = floored_tolerance(kRequirementTolerance, flat(points), side);
   auto notes = notes_on(requirements, report.requirements, tolerance);
   std::move(notes.begin(), notes.end(), std::back_inserter(report.solve.notes));
   if (!all_met(report.requirements, tolerance)) report.solve.converged = false;
@@ -203,11 +204,11 @@ Result<RequirementRows> equations_of(const SimilarityPrepared& prepared, const M
 }  // namespace
 
 Result<SimilaritySolution> SimilarityInterpolator::solve_required(
-    std::span<const Requirement> requirements, std::span<const Point> points,
+    std::span<const Requirement> asked, std::span<const Point> points,
     std::span<const Point> reference, std::span<const Channel> channels,
     const Context& context) const {
   const SimilarityPrepared& prepared = *impl_;
-  if (requirements.empty()) {
+  if (asked.empty()) {
     auto plain = solve_like(reference, points, channels, context);
     if (plain) plain->targets.assign(points.begin(), points.end());
     return plain;
@@ -216,6 +217,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
     return tl::make_unexpected(ok.error());
   }
   const Rules& rules = prepared.options.rules;
+  const std::vector<Requirement> requirements = canonical(asked);
   Mesh control = control_mesh(prepared);
   auto equations = equations_of(prepared, control, requirements, points, context);
   if (!equations) return tl::make_unexpected(equations.error());
@@ -263,7 +265,8 @@ Result<std::vector<Point>> SimilarityInterpolator::reference(
   if (auto ok = check_input(prepared, own, points); !ok) return tl::make_unexpected(ok.error());
   std::vector<Point> targets(points.begin(), points.end());
   if (!requirements.empty()) {
-    auto equations = equations_of(prepared, control_mesh(prepared), requirements, points, context);
+    auto equations =
+        equations_of(prepared, control_mesh(prepared), canonical(requirements), points, context);
     if (!equations) return tl::make_unexpected(equations.error());
     targets = std::move(equations->targets);
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -168,7 +169,10 @@ Result<SimilarityPrepared> prepare_similarity(const Mesh& mesh, const Similarity
       std::make_unique<const PatchLayout>(std::move(*rows), std::move(order), control_points);
   if (context.cancelled()) return cancelled();
   const RowWeight weight = options.similarity == Similarity::fair ? fair_weight : vectors_weight;
-  auto scalar = sum_of_squares(*layout, weight, options.thin_plate, options.membrane);
+  // Only their ratio matters, and squares of the smallest numbers would vanish.
+  const double larger = std::max(options.thin_plate, options.membrane);
+  auto scalar =
+      sum_of_squares(*layout, weight, options.thin_plate / larger, options.membrane / larger);
   refined->mesh.points = std::vector<Point>();  // {} would keep the memory
   annotate(refined->mesh, options.rules);
   refined->mesh.annotate("refined", "1");

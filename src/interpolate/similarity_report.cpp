@@ -72,7 +72,7 @@ void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<con
 void judge_residual(const SimilarityPrepared& prepared, const FreeOutcome& outcome,
                     SimilarityReport& report) {
   const SimilarityOptions& options = prepared.options;
-  report.residual = report.residuals.empty() ? 0 : report.residuals.back();
+  report.residual = !report.residuals.empty() ? report.residuals.back() : outcome.at_rest ? 0 : 1;
   report.solver_converged = report.residual <= options.solver_tolerance;
   if (options.max_iterations == 0) {
     report.residual = 1;

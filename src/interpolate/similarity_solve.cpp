@@ -13,6 +13,7 @@ namespace {
 // overflow nor lose what matters, and the other way.
 struct Units {
   std::vector<double> centre;  // a number per column
+  double side = 1;             // of the values' box
   double scale = 1;            // a power of two
 
   void enter(const Context& context, std::span<double> x) const {
@@ -59,7 +60,8 @@ Result<Units> units_of(const SimilarityPrepared& prepared, std::span<const doubl
     return fail(ErrorCode::not_finite,
                 "the coordinates are so large that their differences overflow");
   }
-  units.scale = power_of_two_scale(side > 0 ? side : 1);
+  if (side > 0) units.side = side;
+  units.scale = power_of_two_scale(units.side);
   return units;
 }
 
@@ -161,7 +163,7 @@ FreeOutcome minimise(const SimilarityPrepared& prepared, const FreeSystem& syste
                      std::span<const double> reference, std::span<const double> given,
                      std::span<double> x) {
   std::vector<double> distance = distance_to_least(prepared, reference, x);
-  if (distance.empty()) return {};
+  if (distance.empty()) return {.at_rest = true};
   const StopAt stop{prepared.options.solver_tolerance, prepared.options.max_iterations};
   if (prepared.options.solver != SimilaritySolver::gauss_seidel) {
     const Preconditioned how = precondition(system, stop.tolerance);
@@ -182,8 +184,8 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
                                                         std::span<const double> given,
                                                         const Units& units) {
   if (wanted.equations == nullptr || wanted.equations->rows.empty()) return std::nullopt;
-  const LinearConstraints::Units own{{units.centre[0], units.centre[1], units.centre[2]},
-                                     units.scale};
+  const LinearConstraints::Units own{
+      {units.centre[0], units.centre[1], units.centre[2]}, units.scale, units.side};
   auto built = LinearConstraints::build(*wanted.equations, wanted.requirements, system, given, own);
   if (!built) return tl::make_unexpected(built.error());
   return std::move(*built);

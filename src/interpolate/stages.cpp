@@ -53,9 +53,10 @@ std::vector<Index> components_of(const Prepared& prepared,
   std::vector<Index> found;
   for (const SingularPart* part : parts) {
     const Index component = prepared.components.of_vertex[part->vertices.front()];
-    if (found.empty() || found.back() != component) found.push_back(component);
+    found.push_back(component);
   }
   std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
@@ -165,10 +166,14 @@ Result<Solved> solve_in_stages(const Prepared& prepared, const Task& task, const
   for (std::size_t b = 0; b < prepared.blocks.surface.size(); ++b) {
     auto surface = solve_block(prepared.options, prepared.op, prepared.blocks.surface[b], task,
                                "surface", context, notes);
-    const bool failed = surface ? !surface->converged : surface.error().code == ErrorCode::singular;
+    // Of symmetric parts it is known by now that there is a solution; of others, only a solver that
+    // had its time and found none says that there is not.
+    const bool stalled = surface && !surface->converged &&
+                         surface->final.iteration < prepared.options.max_iterations;
+    const bool failed = stalled || (!surface && surface.error().code == ErrorCode::singular);
     std::vector<const SingularPart*> parts;
     for (const SingularPart& part : prepared.singular) {
-      if (part.block == b) parts.push_back(&part);
+      if (part.block == b && !prepared.blocks.surface[b].symmetric) parts.push_back(&part);
     }
     if (failed && !parts.empty()) return no_interpolant(prepared, parts);
     if (!surface) return tl::make_unexpected(surface.error());

@@ -15,6 +15,9 @@ using Vector3 = Eigen::Vector3d;
 using Tangents = Eigen::Matrix3Xd;
 using PlaceWish = TangentPlace::Wish;
 
+// Of the reference's: tangents that are not longer, or a normal's two whose sine is not greater,
+// count as vanishing.
+constexpr double kVanishing = 0.05;
 constexpr double kNoTangent = 1e-9;
 
 bool do_vanish(const Tangents& tangents, const Tangents& reference) {

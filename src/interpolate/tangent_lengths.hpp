@@ -8,10 +8,6 @@
 
 namespace surpass {
 
-/// Of the reference's: tangents that are not longer, or a normal's two whose sine is not greater,
-/// count as vanishing.
-constexpr double kVanishing = 0.05;
-
 /// Adds rows that give lengths to the tangents of those normals and directions that vanish on
 /// `control`'s surface and have none yet: a direction's tangent is as long as the reference's
 /// there, a normal's two are the reference's, turned by the least rotation that takes normal to

@@ -218,7 +218,7 @@ std::vector<std::vector<std::size_t>> tangent_places(std::span<const Requirement
   std::vector<std::vector<std::size_t>> places;
   std::vector<std::size_t> place_of(requirements.size());
   for (std::size_t i = 0; i < requirements.size(); ++i) {
-    if (!is_of_tangents(requirements[i].kind)) continue;
+    if (!has_tangents(requirements, equations, i)) continue;
     const std::size_t first = equations.first_there[i];
     if (first == i) {
       place_of[i] = places.size();

@@ -13,6 +13,12 @@ namespace surpass {
          kind == Requirement::Kind::derivative;
 }
 
+/// Whether requirement i has equations of tangents.
+[[nodiscard]] inline bool has_tangents(std::span<const Requirement> requirements,
+                                       const RequirementRows& equations, std::size_t i) {
+  return is_of_tangents(requirements[i].kind) && equations.repeated[i] == 0;
+}
+
 [[nodiscard]] Eigen::Vector3d unit_vector(const Point& p);
 
 /// Two unit vectors that make a right-handed frame with the direction, of any length but 0.

@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "interpolate/requirement_places.hpp"
 #include "interpolate/tangent_place.hpp"
 
 namespace surpass {
@@ -94,10 +95,6 @@ std::vector<Index> key_of(const SurfaceStencil& s) {
   return key;
 }
 
-std::string named(std::size_t number, const Requirement& r) {
-  return fmt::format("{} ({})", number, describe(r));
-}
-
 using Numbers = std::vector<std::size_t>;
 
 Result<void> check_group(const Numbers& group, std::span<const Requirement> requirements,
@@ -110,9 +107,9 @@ Result<void> check_group(const Numbers& group, std::span<const Requirement> requ
       const std::size_t j = wishes[k].requirement;
       if (!contradict(requirements[j], wishes[k], requirements[i], wish)) continue;
       return fail(ErrorCode::contradictory,
-                  fmt::format("requirements contradict each other: {}, {}; no tangent of a length "
+                  fmt::format("requirements contradict each other: {}; no tangent of a length "
                               "other than 0 does both",
-                              named(j, requirements[j]), named(i, requirements[i])),
+                              names_of(std::array{j, i}, requirements)),
                   place_of(requirements[i]));
     }
   }
@@ -143,27 +140,19 @@ bool same_position(const SurfaceStencil& a, const SurfaceStencil& b) {
                     });
 }
 
-std::string names_of(const Numbers& numbers, std::span<const Requirement> requirements) {
-  std::string names;
-  for (const std::size_t i : numbers) {
-    names += (names.empty() ? "" : ", ") + named(i, requirements[i]);
-  }
-  return names;
-}
-
 }  // namespace
 
 Result<void> check_tangents(std::span<const Requirement> requirements,
                             std::span<const SurfaceStencil> stencils,
-                            std::span<const std::array<double, 2>> along) {
+                            const RequirementRows& equations) {
   std::map<std::vector<Index>, Numbers> groups;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
-    if (!is_of_tangents(requirements[i].kind)) continue;
+    if (!has_tangents(requirements, equations, i)) continue;
     groups[key_of(stencils[i])].push_back(i);
   }
   for (const auto& [key, group] : groups) {
     if (group.size() < 2) continue;
-    if (auto ok = check_group(group, requirements, stencils, along); !ok) return ok;
+    if (auto ok = check_group(group, requirements, stencils, equations.along); !ok) return ok;
   }
   return {};
 }
@@ -209,7 +198,7 @@ std::vector<std::size_t> without_tangents(std::span<const Requirement> requireme
   Numbers found;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Kind kind = requirements[i].kind;
-    if (kind != Kind::normal && kind != Kind::direction) continue;
+    if (kind == Kind::derivative || !has_tangents(requirements, equations, i)) continue;
     if (!found.empty() && equations.first_there[i] != equations.first_there[found.front()]) {
       continue;
     }
@@ -226,14 +215,14 @@ Result<void> check_planes(std::span<const Requirement> requirements,
   // All that take part: those of the place, and those by which lengths were given up.
   std::set<std::size_t> involved = opposed;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
-    if (!is_of_tangents(requirements[i].kind)) continue;
+    if (!has_tangents(requirements, equations, i)) continue;
     if (equations.first_there[i] == equations.first_there[found.front()]) involved.insert(i);
   }
   return fail(
       ErrorCode::contradictory,
       fmt::format("no surface was found that passes through what is given and does, by tangents "
                   "that have a length other than 0 and a plane, what is required: {}",
-                  names_of({involved.begin(), involved.end()}, requirements)),
+                  names_of(Numbers(involved.begin(), involved.end()), requirements)),
       place_of(requirements[found.front()]));
 }
 

@@ -12,10 +12,11 @@ namespace surpass {
 /// Fails with `contradictory`, naming two requirements whose places have the same tangents: normals
 /// that differ by more than 1e-9 (radians, for all of this), a direction or derivative that does
 /// not lie across a normal, directions and derivatives along one line that differ or are opposite,
-/// and a derivative of length 0 beside a normal or direction. O(n) where no two share a place.
+/// and a derivative of length 0 beside a normal or direction. Of `equations` only `along` and
+/// `repeated` need be there. O(n) where no two share a place.
 [[nodiscard]] Result<void> check_tangents(std::span<const Requirement> requirements,
                                           std::span<const SurfaceStencil> stencils,
-                                          std::span<const std::array<double, 2>> along);
+                                          const RequirementRows& equations);
 
 /// Of each requirement the first one of tangents at the same place, itself for other kinds.
 [[nodiscard]] std::vector<std::size_t> first_there(std::span<const Requirement> requirements,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpolate/requirement_outcomes.hpp"
+#include "interpolate/requirement_places.hpp"
 #include "interpolate/tangent_wishes.hpp"
 #include "scheme/subdivision_scheme.hpp"
 
@@ -76,9 +77,9 @@ Result<void> check_tangents_exist(std::span<const Requirement> requirements,
 }  // namespace
 
 Result<RequiredCertificate> certify_required(const Mesh& control, const Mesh& given,
-                                             const Rules& rules,
-                                             std::span<const Requirement> requirements,
+                                             const Rules& rules, std::span<const Requirement> asked,
                                              const Context& context) {
+  const std::vector<Requirement> requirements = canonical(asked);
   if (auto ok = check_vertex_counts(control, given.points.size()); !ok) {
     return tl::make_unexpected(ok.error());
   }

@@ -1,24 +1,9 @@
 #include "scheme/catmull_clark_vertex_rows.hpp"
 
-#include <cmath>
-#include <numbers>
+#include "scheme/catmull_clark_derivatives.hpp"
 
 namespace surpass::catmull_clark {
 namespace {
-
-// The limit tangent along a spoke of a smooth vertex; for valence 4 the derivative.
-Mask smooth_tangent(const FaceRing& ring, std::size_t spoke) {
-  const std::size_t n = ring.size();
-  if (n == 2) return {};
-  const Tangents t = tangent_masks(ring).front();
-  const auto count = static_cast<double>(n);
-  const double turn = 2 * std::numbers::pi * static_cast<double>(spoke) / count;
-  Mask mask(ring.point_count(), 0.0);
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    mask[i] = (std::cos(turn) * t.first[i] + std::sin(turn) * t.second[i]) / (3 * count);
-  }
-  return mask;
-}
 
 // The derivative of the sharp curve that leaves along a spoke: the cubic B-spline of its points,
 // which ends at a corner with the second derivative 0.
@@ -35,7 +20,7 @@ Mask curve_tangent(const FaceRing& ring, std::size_t spoke) {
 
 Mask spoke_tangent(const FaceRing& ring, std::size_t spoke) {
   const VertexRule rule = ring.rule();
-  if (rule == VertexRule::smooth) return smooth_tangent(ring, spoke);
+  if (rule == VertexRule::smooth) return tangent_along(ring, spoke).value_or(Mask());
   if (rule == VertexRule::dart || ring.spoke_sharpness[spoke] <= 0) return {};
   return curve_tangent(ring, spoke);
 }

@@ -28,8 +28,6 @@ class PatchRows {
   [[nodiscard]] const PatchKind& kind(std::size_t patch) const { return kinds_[kind_of_[patch]]; }
   [[nodiscard]] Index kind_number(std::size_t patch) const { return kind_of_[patch]; }
   [[nodiscard]] const std::vector<PatchKind>& kinds() const { return kinds_; }
-  /// Where the columns of a patch start among those of all.
-  [[nodiscard]] std::size_t columns_start(std::size_t patch) const { return offsets_[patch]; }
   [[nodiscard]] std::size_t column_count() const { return columns_.size(); }
   /// The control vertices that the kind's columns stand for.
   [[nodiscard]] std::span<const Index> columns(std::size_t patch) const {
