@@ -68,6 +68,19 @@ TEST(Interpolate, EverySolverFindsTheSameControlMesh) {
   }
 }
 
+// The cube's equations are singular, but not contradictory: nothing is said of what time did not
+// allow to find.
+TEST(Interpolate, IterationsThatRanOutAreNoProof) {
+  const TempFolder folder;
+  const Words words = {"interpolate", data("cube.obj"), "-o", folder / "c.obj"};
+  ASSERT_EQ(surpass(words).status, 0);
+  Words cut = words;
+  cut.insert(cut.end(), {"--max-iterations", "1"});
+  const Outcome outcome = surpass(cut);
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_EQ(outcome.err.find("no control mesh"), std::string::npos) << outcome.err;
+}
+
 TEST(Interpolate, TheBitsDoNotDependOnTheThreads) {
   const TempFolder folder;
   const std::string grid = folder.file("grid.off", grid_off(120));  // several chunks of vertices

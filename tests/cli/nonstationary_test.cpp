@@ -75,6 +75,9 @@ TEST_F(NonstationaryCommand, InterpolateWritesTheSurfaceAndCheckAgrees) {
   EXPECT_EQ(plain.status, 3);
   EXPECT_NE(plain.err.find("--scheme nonstationary-loop"), std::string::npos) << plain.err;
   EXPECT_GE(run({"check", path_, "--against", path_, "--uniform", "1"}, 4)["error"]["max"], 1e-3);
+  EXPECT_NE(said_.find("nonstationary-loop, edge-and-corner"), std::string::npos) << said_;
+  run({"check", path_, "--against", path_, "--uniform", "1", "--boundary", "edge-only"}, 4);
+  EXPECT_NE(said_.find("nonstationary-loop, edge-only"), std::string::npos) << said_;
   EXPECT_GE(
       run({"interpolate", path_, "-o", folder_ / "no.ply", "--rule", "mean"}, 4)["error"]["max"],
       1e-3);

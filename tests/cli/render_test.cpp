@@ -68,6 +68,14 @@ TEST_F(RenderCommand, AFrameIsOneViewForSeveralPictures) {
   report_of({kTorus, "--frame", folder_ / "none.obj"}, 2);
 }
 
+TEST_F(RenderCommand, PixelsAreWholeNumbers) {
+  for (const char* size : {"nanx100", "64.5x64", "infx64", "64", "64x64x64"}) {
+    const Outcome outcome = surpass({"render", kTorus, "-o", folder_ / "x.png", "--size", size});
+    EXPECT_EQ(outcome.status, 1) << size;
+    EXPECT_NE(outcome.err.find("--size takes"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(RenderCommand, TheScaleOfErrorsReachesTheLargest) {
   const auto given = read_mesh(kOctahedron);
   ASSERT_TRUE(given);

@@ -1,1 +1,2 @@
-surpass_test(unit_requirements SOURCES requirements_test.cpp requirement_tangents_test.cpp LABELS unit)
+surpass_test(unit_requirements SOURCES requirements_test.cpp requirement_tangents_test.cpp
+             requirement_words_test.cpp LABELS unit)

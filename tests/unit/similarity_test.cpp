@@ -207,6 +207,20 @@ TEST(Similarity, RefusesWhatCannotBeMeant) {
             ErrorCode::cancelled);
 }
 
+TEST(Similarity, OnlyTheRatioOfThinPlateAndMembraneMatters) {
+  const Mesh mesh = test::random_polygons({.seed = 2, .kind = 1});
+  const auto solve = [&](double scale) {
+    const SimilarityOptions options{
+        .similarity = Similarity::fair, .thin_plate = scale, .membrane = 0.25 * scale};
+    return interpolate_similar(mesh, options).value();
+  };
+  const auto expected = solve(1);
+  EXPECT_GT(expected.report.solve.iterations, 0U);
+  for (const double scale : {std::ldexp(1.0, -1000), std::ldexp(1.0, 1000)}) {
+    EXPECT_EQ(solve(scale).control.points, expected.control.points) << scale;
+  }
+}
+
 // Around a vertex, or inside a face, of thousands: what depends on all neighbours is left out.
 TEST(Similarity, ThousandsOfFacesAroundAVertexAreInterpolated) {
   constexpr Index kMany = 5000;
