@@ -154,9 +154,13 @@ class Check : public Command {
     session.report["removed"] = own->removed;
     if (own->replaced + own->removed > 0) {
       session.console.note(fmt::format(
-          "of {} given vertices the requirements move {}, compared with the new place, and remove "
-          "{}, not compared",
-          given.points.size(), own->replaced, own->removed));
+          "of {} given vertices {}, and {}", given.points.size(),
+          own->replaced == 0 ? "none is moved by requirements"
+                             : fmt::format("{} moved by requirements, compared with the new place",
+                                           counted(own->replaced, "is", "are")),
+          own->removed == 0
+              ? "none removed"
+              : fmt::format("{} removed, not compared", counted(own->removed, "is", "are"))));
     }
     Findings findings = findings_of(own->vertices, session);
     findings.requirements = std::move(*requirements);

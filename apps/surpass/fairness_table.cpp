@@ -79,8 +79,13 @@ std::string sentence(const MeasuredSurface& s, std::size_t i, int rings) {
   const Point& at = s.fairness.largest_at;
   std::string text = fmt::format(
       "{}: {:.3g} % of the area is left out: boundaries, creases, extraordinary vertices with {} "
-      "rings\n   around them. The largest curvature is at ({:.6g}, {:.6g}, {:.6g}).\n",
-      letter(i), 100 * c.left_out, rings, at[0], at[1], at[2]);
+      "rings\n   around them.",
+      letter(i), 100 * c.left_out, rings);
+  if (s.fairness.largest_curvature > 0) {
+    text += fmt::format(" The largest curvature is at ({:.10g}, {:.10g}, {:.10g}).", at[0], at[1],
+                        at[2]);
+  }
+  text += "\n";
   if (c.degenerate_samples > 0) {
     text += fmt::format("   {} samples have no tangent plane.\n", c.degenerate_samples);
   }

@@ -446,6 +446,9 @@ Result<Certificate> Interpolate::certify_listed(const std::vector<Point>& limit,
 Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   const auto surface = surface_.make(control, options_.rules, session);
   if (!surface) return tl::make_unexpected(surface.error());
+  if (const auto fits = output_.check(control, output_.path()); !fits) return fits;
+  if (const auto fits = surface_.check(*surface, output_); !fits) return fits;
+  if (const auto fits = similar_.check_reference(output_); !fits) return fits;
   if (const auto written = output_.write(control, session); !written) return written;
   similar_.note_drawn_ring(output_, session);
   if (const auto written = surface_.write(*surface, output_, session); !written) return written;

@@ -15,12 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Where a file would be made that is not there yet: links lead on, even to nothing.
+fs::path destination(const fs::path& path) {
+  constexpr int kMostLinks = 40;  // as many as the system follows
+  std::error_code ignored;
+  fs::path at = fs::absolute(path, ignored);
+  for (int k = 0; k < kMostLinks && fs::is_symlink(at, ignored); ++k) {
+    at = at.parent_path() / fs::read_symlink(at, ignored);  // an absolute one takes its place
+  }
+  return fs::weakly_canonical(at, ignored);
+}
+
 bool same_file(const std::string& a, const std::string& b) {
   if (a == "-" || b == "-") return false;
   std::error_code ignored;
   if (fs::equivalent(a, b, ignored)) return fs::is_regular_file(a, ignored);
-  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) &&
-         !fs::exists(a, ignored);
+  return !fs::exists(a, ignored) && destination(a) == destination(b);
 }
 
 Result<void> check_folder(const std::string& path) {
@@ -76,8 +86,8 @@ Result<void> check_paths(const std::vector<std::string>& inputs,
     for (std::size_t j = 0; j < i; ++j) {
       if (same_file(outputs[i], outputs[j])) {
         return fail(ErrorCode::invalid_argument,
-                    fmt::format("'{}' and '{}' are the same file; give each output its own",
-                                outputs[j], outputs[i]));
+                    fmt::format("is the same file as '{}'; give each output its own", outputs[j]),
+                    {.file = outputs[i]});
       }
     }
     for (const std::string& input : inputs) {
@@ -174,10 +184,20 @@ Result<void> MeshOutput::write(const Mesh& mesh, Session& session) const {
   return write(mesh, path_, session);
 }
 
+Format MeshOutput::format_at(const std::string& path) const {
+  return path == path_ || path == "-" ? options_.format : format_of_path(path);
+}
+
+Result<void> MeshOutput::check(const Mesh& mesh, const std::string& path) const {
+  auto fits = check_faces(mesh, format_at(path));
+  if (!fits) fits.error().place.file = path;
+  return fits;
+}
+
 Result<void> MeshOutput::write(const Mesh& mesh, const std::string& path, Session& session) const {
   if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
   WriteOptions options = options_;
-  if (path != path_ && path != "-") options.format = format_of_path(path);
+  options.format = format_at(path);
   const UnfinishedFile unfinished(path);
   const auto lost = session.timed("write", [&] { return write_mesh(mesh, path, options); });
   if (!lost) return tl::make_unexpected(beside_what_is_written(lost.error(), session));

@@ -26,6 +26,10 @@ class MeshOutput {
   /// The format of '-' where --to does not name one.
   void default_format(Format format_of_input);
 
+  /// Fails where the format of an output has no place for the mesh's faces. To be called for all of
+  /// several outputs before the first is written.
+  [[nodiscard]] Result<void> check(const Mesh& mesh, const std::string& path) const;
+
   /// Writes to the output of `define`, or to another path in the format that its ending names.
   [[nodiscard]] Result<void> write(const Mesh& mesh, Session& session) const;
   [[nodiscard]] Result<void> write(const Mesh& mesh, const std::string& path,
@@ -39,6 +43,8 @@ class MeshOutput {
   [[nodiscard]] Format format() const { return options_.format; }
 
  private:
+  [[nodiscard]] Format format_at(const std::string& path) const;
+
   std::string path_;
   WriteOptions options_;
   bool ascii_ = false;

@@ -2,9 +2,12 @@
 
 #include <surpass/io.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
+#include <optional>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,6 +46,17 @@ class Entry {
     return false;
   }
 
+  // "; it has x and y", of keys that could be misspelt kinds; empty without any.
+  [[nodiscard]] std::string unknown_keys() const {
+    constexpr std::array kOthers = {"vertex", "towards", "face", "uv", "corner", "along"};
+    std::string keys;
+    for (const auto& [key, value] : json_.items()) {
+      if (std::find(kOthers.begin(), kOthers.end(), key) != kOthers.end()) continue;
+      keys += fmt::format("{}\"{}\"", keys.empty() ? "; it has " : " and ", key);
+    }
+    return keys;
+  }
+
   // Exactly one of the kinds' names is a key: its value is the requirement's.
   bool choose_kind() {
     std::vector<std::string> found;
@@ -57,7 +71,7 @@ class Entry {
     if (found.size() != 1) {
       return problem(fmt::format(
           "it has to have exactly one of position, normal, direction, derivative and remove{}",
-          found.empty() ? "" : fmt::format("; it has {} and {}", found[0], found[1])));
+          found.empty() ? unknown_keys() : fmt::format("; it has {} and {}", found[0], found[1])));
     }
     const std::string name = known_.back();
     if (requirement_.kind == Kind::remove) {
@@ -126,10 +140,10 @@ class Entry {
 // Keys that are there twice, of which a reader takes the last without a word. Objects in the outer
 // one are those of the list's entries. A pass of its own: the library's parser with a callback
 // looks at the whole list again after each entry.
-class RepeatedKeys final : public nlohmann::json_sax<Json> {
+class FirstFault final : public nlohmann::json_sax<Json> {
  public:
-  /// A sentence on the first one; empty if there is none.
-  [[nodiscard]] const std::string& first() const { return first_; }
+  /// A sentence on the first key that is there twice; empty if there is none.
+  [[nodiscard]] const std::string& repeated() const { return first_; }
 
   bool start_object(std::size_t) override {
     if (open_.size() == 1) ++entries_;
@@ -153,9 +167,16 @@ class RepeatedKeys final : public nlohmann::json_sax<Json> {
   bool number_float(Json::number_float_t, const std::string&) override { return true; }
   bool string(std::string&) override { return true; }
   bool binary(Json::binary_t&) override { return true; }
-  bool parse_error(std::size_t, const std::string&, const Json::exception&) override {
-    return false;  // the parser itself will say it
+  bool parse_error(std::size_t byte, const std::string&, const Json::exception& error) override {
+    stopped_at_ = byte;
+    stopped_by_number_ = dynamic_cast<const Json::out_of_range*>(&error) != nullptr;
+    return false;
   }
+
+  /// The byte, from 1, with which it is no JSON any more, or holds a number that no double can
+  /// hold; nothing if it is JSON.
+  [[nodiscard]] std::optional<std::size_t> stopped_at() const { return stopped_at_; }
+  [[nodiscard]] bool stopped_by_number() const { return stopped_by_number_; }
 
  private:
   [[nodiscard]] std::string sentence(const std::string& key) const {
@@ -166,7 +187,18 @@ class RepeatedKeys final : public nlohmann::json_sax<Json> {
   std::vector<std::set<std::string>> open_;  // keys so far, of the objects around
   std::size_t entries_ = 0;
   std::string first_;
+  std::optional<std::size_t> stopped_at_;
+  bool stopped_by_number_ = false;
 };
+
+// Of a byte, from 1, in a text.
+Place place_at(const std::string& path, const std::string& text, std::size_t byte) {
+  const std::string_view before = std::string_view(text).substr(0, byte > 0 ? byte - 1 : 0);
+  const std::size_t start = before.rfind('\n');  // npos + 1 is 0
+  return {.file = path,
+          .line = 1 + static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n')),
+          .column = before.size() - (start + 1) + 1};
+}
 
 }  // namespace
 
@@ -174,23 +206,27 @@ Result<std::vector<Requirement>> read_requirements(const std::string& path) {
   const Result<std::string> text = read_file(path);
   if (!text) return tl::make_unexpected(text.error());
   const Place place{.file = path};
-  Json json;
-  RepeatedKeys repeated;
-  try {
-    Json::sax_parse(*text, &repeated);
-    if (!repeated.first().empty()) return fail(ErrorCode::syntax, repeated.first(), place);
-    json = Json::parse(*text);
-  } catch (const Json::parse_error& error) {
-    Place where = place;
-    where.byte = error.byte > 0 ? error.byte - 1 : 0;
-    return fail(ErrorCode::syntax, "is not JSON from here on", where);
-  } catch (const Json::exception&) {
-    return fail(ErrorCode::syntax, "holds a number that no double can hold", place);
+  FirstFault fault;
+  Json::sax_parse(*text, &fault);
+  if (!fault.repeated().empty()) return fail(ErrorCode::syntax, fault.repeated(), place);
+  if (const auto byte = fault.stopped_at()) {
+    return fail(ErrorCode::syntax,
+                fault.stopped_by_number() ? "holds a number here that no double can hold"
+                                          : "is not JSON from here on",
+                place_at(path, *text, *byte));
   }
+  const Json json = Json::parse(*text);
   if (!json.is_object() || json.size() != 1 || !json.contains("requirements") ||
       !json["requirements"].is_array()) {
+    std::string other;
+    for (const auto& [key, value] : json.items()) {
+      if (json.is_object() && key != "requirements" && other.empty()) {
+        other = fmt::format("; it has \"{}\"", key);
+      }
+    }
     return fail(ErrorCode::syntax,
-                "has to be an object with the list \"requirements\", and nothing else", place);
+                "has to be an object with the list \"requirements\", and nothing else" + other,
+                place);
   }
   std::vector<Requirement> requirements;
   for (const Json& entry : json["requirements"]) {

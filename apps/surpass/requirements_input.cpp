@@ -129,6 +129,10 @@ Result<std::vector<Requirement>> RequirementsInput::load(const Mesh& given, cons
   if (names_normals()) {
     const auto normals = load_normals(given, rules, session);
     if (!normals) return normals;
+    if (lists()) {
+      session.console.note(fmt::format("requirements from number {} on are those of --normals",
+                                       requirements.size()));
+    }
     requirements.insert(requirements.end(), normals->begin(), normals->end());
   }
   return requirements;
@@ -144,6 +148,7 @@ Json outcomes_json(const std::vector<Requirement>& requirements,
       entry["angle"] = outcomes[i].angle;
       entry["flipped"] = outcomes[i].flipped;
     }
+    if (outcomes[i].without_plane) entry["without_plane"] = true;
     list.push_back(std::move(entry));
   }
   return list;

@@ -144,6 +144,10 @@ Rules RulesOption::choose(const Mesh& mesh, Session& session) const {
     rules.weights = *found;
   }
   if (weights_) rules.weights = *weights_;
+  if (weights_ && rules.scheme != Scheme::doo_sabin && !nonstationary_) {
+    console.note(fmt::format("--weights {} says nothing of {} surfaces", name_of(*weights_),
+                             name_of(rules.scheme)));
+  }
   session.report["scheme"] = nonstationary_ ? kNonstationaryLoop : name_of(rules.scheme);
   session.report["boundary"] = name_of(rules.boundary);
   if (rules.weights != Weights{}) session.report["weights"] = name_of(rules.weights);

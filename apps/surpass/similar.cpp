@@ -197,6 +197,10 @@ Result<void> Similar::make_reference(const Mesh& given, Session& session) {
   return {};
 }
 
+Result<void> Similar::check_reference(const MeshOutput& output) const {
+  return resembled_ ? output.check(*resembled_, reference_output_) : Result<void>();
+}
+
 Result<void> Similar::write_reference(const MeshOutput& output, Session& session) const {
   return resembled_ ? output.write(*resembled_, reference_output_, session) : Result<void>();
 }
@@ -264,12 +268,13 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
   session.report["similarity"] = std::move(similarity);
   given = std::move(solution->targets);
   constexpr double kFarOut = 100;
-  const double size = bounding_box(solution->points).side() / bounding_box(given).side();
-  if (!requirements_.empty() && size > kFarOut) {
+  const double side = bounding_box(given).side();
+  const double size = bounding_box(solution->points).side();
+  if (!requirements_.empty() && side > 0 && size > kFarOut * side) {
     session.console.note(fmt::format(
-        "the control mesh is {:.0f} times as large as the given one: a requirement asks for "
+        "the control mesh is {:.3g} times as large as the given one: a requirement asks for "
         "something that the surface can hardly do",
-        size));
+        size / side));
   }
   mesh = solver_->refined();
   mesh.points = std::move(solution->points);

@@ -50,6 +50,9 @@ class Similar {
   /// For a control mesh that was written: whether its ring of dummies is lost there as such.
   void note_drawn_ring(const MeshOutput& output, Session& session) const;
 
+  /// Fails where the reference's file has no place for its faces.
+  [[nodiscard]] Result<void> check_reference(const MeshOutput& output) const;
+
   /// Writes the reference, if it is asked for.
   [[nodiscard]] Result<void> write_reference(const MeshOutput& output, Session& session) const;
 

@@ -34,6 +34,11 @@ Result<std::optional<Mesh>> SurfaceOutput::make(const Mesh& control, const Rules
   return std::optional<Mesh>(std::move(*refined));
 }
 
+Result<void> SurfaceOutput::check(const std::optional<Mesh>& surface,
+                                  const MeshOutput& output) const {
+  return surface ? output.check(*surface, path_) : Result<void>();
+}
+
 Result<void> SurfaceOutput::write(const std::optional<Mesh>& surface, const MeshOutput& output,
                                   Session& session) const {
   return surface ? output.write(*surface, path_, session) : Result<void>();

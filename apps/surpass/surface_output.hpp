@@ -28,6 +28,10 @@ class SurfaceOutput {
   /// Before the work: fails where the surface of a control mesh like this one would be too large.
   [[nodiscard]] Result<void> check(const Mesh& control) const;
 
+  /// Fails where the file has no place for the faces of what make() made.
+  [[nodiscard]] Result<void> check(const std::optional<Mesh>& surface,
+                                   const MeshOutput& output) const;
+
   /// The surface, or nothing where none is wanted.
   [[nodiscard]] Result<std::optional<Mesh>> make(const Mesh& control, const Rules& rules,
                                                  Session& session) const;

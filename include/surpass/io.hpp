@@ -62,6 +62,10 @@ struct WriteOptions {
                                                            const WriteOptions& options,
                                                            std::string& bytes);
 
+/// Fails with `unsuitable_for_scheme`, naming the face, where the format has no place for the
+/// mesh's faces: STL holds triangles only. O(faces).
+[[nodiscard]] Result<void> check_faces(const Mesh& mesh, Format format);
+
 /// Whether such a file holds positions of 32 bits.
 [[nodiscard]] bool rounds_positions(Format format, bool single_precision);
 

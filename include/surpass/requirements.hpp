@@ -80,6 +80,9 @@ struct RequirementOutcome {
   double angle = 0;
   /// The surface has the opposite normal or direction: its equations cannot tell. Or none at all.
   bool flipped = false;
+  /// The derivatives that are required there are parallel, so that the surface has no tangent
+  /// plane.
+  bool without_plane = false;
 };
 
 /// A sentence each, with a count and the first of them, on those of #requirements that were

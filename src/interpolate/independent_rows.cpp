@@ -108,20 +108,20 @@ void express_again(const Rows& rows, Factor& factor, IndependentRows& found) {
   }
 }
 
-}  // namespace
-
-IndependentRows independent_rows(const Rows& rows) {
+// Those among `which`, ascending. Of dependent ones the shares are of independent ones there.
+IndependentRows independent_among(const Rows& rows, const std::vector<int>& which,
+                                  const Context& context) {
   IndependentRows found;
-  if (rows.rows() == 0) return found;
+  const Rows some = picked(rows, which);
   Factor factor;
   factor.setShift(kShift);
-  factor.compute(products_of(rows));
+  factor.compute(products_of(some));
   const Eigen::VectorXd pivots = factor.vectorD();
   const auto& order = factor.permutationP().indices();
   std::vector<int> suspects;
-  for (int i = 0; i < static_cast<int>(rows.rows()); ++i) {
+  for (int i = 0; i < static_cast<int>(which.size()); ++i) {
     const double pivot = order.size() == 0 ? pivots[i] : pivots[order[i]];
-    (pivot < kSuspect ? suspects : found.independent).push_back(i);
+    (pivot < kSuspect ? suspects : found.independent).push_back(which[static_cast<std::size_t>(i)]);
   }
   if (suspects.empty()) return found;
   const Rows basis = picked(rows, found.independent);
@@ -130,10 +130,41 @@ IndependentRows independent_rows(const Rows& rows) {
     factor.compute(products_of(basis));
   }
   for (const int row : suspects) {
+    if (context.cancelled()) break;
     found.dependent.push_back(expressed(rows, row, found.independent, basis, factor));
   }
   prefer_earlier(found);
-  express_again(rows, factor, found);
+  return found;
+}
+
+// As many rows as can be independent of each other.
+std::size_t most_independent(const Rows& rows) {
+  std::vector<unsigned char> used(static_cast<std::size_t>(rows.cols()), 0);
+  for (Eigen::Index i = 0; i < rows.outerSize(); ++i) {
+    for (Rows::InnerIterator k(rows, i); k; ++k) used[static_cast<std::size_t>(k.col())] = 1;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+}
+
+}  // namespace
+
+IndependentRows independent_rows(const Rows& rows, const Context& context) {
+  IndependentRows found;
+  const auto count = static_cast<std::size_t>(rows.rows());
+  const std::size_t part = std::max<std::size_t>(1, most_independent(rows));
+  for (std::size_t begin = 0; begin < count && !context.cancelled(); begin += part) {
+    std::vector<int> which = found.independent;
+    for (std::size_t i = begin; i < std::min(count, begin + part); ++i) {
+      which.push_back(static_cast<int>(i));
+    }
+    IndependentRows more = independent_among(rows, which, context);
+    found.independent = std::move(more.independent);
+    found.dependent.insert(found.dependent.end(), more.dependent.begin(), more.dependent.end());
+  }
+  std::sort(found.dependent.begin(), found.dependent.end(),
+            [](const DependentRow& a, const DependentRow& b) { return a.row < b.row; });
+  Factor factor;
+  if (!context.cancelled()) express_again(rows, factor, found);
   return found;
 }
 

@@ -1,6 +1,8 @@
 // Which rows of a sparse matrix are independent, and how the others follow from them.
 #pragma once
 
+#include <surpass/context.hpp>
+
 #include <utility>
 #include <vector>
 
@@ -18,7 +20,7 @@ struct DependentRow {
 /// Of this distance on a row is nearly dependent, and not dependent.
 constexpr double kDependent = 1e-9;
 
-struct IndependentRows {
+struct IndependentRows {                // both lists are cut short where the context was cancelled
   std::vector<int> independent;         ///< ascending
   std::vector<DependentRow> dependent;  ///< ascending
 };
@@ -30,8 +32,9 @@ struct IndependentRows {
 /// from the span of the rows before; it stays as sparse as the mesh, which a QR decomposition does
 /// not (on 3000 rows that took minutes). The few rows that look dependent are then expressed by the
 /// others - of repeated ones the later by the earlier - and the difference taken from the rows
-/// themselves, which loses no digits by squaring.
+/// themselves, which loses no digits by squaring. More rows than columns are looked at in parts,
+/// with those that were found before: what takes part at once is never more than twice the columns.
 [[nodiscard]] IndependentRows independent_rows(
-    const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows);
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows, const Context& context);
 
 }  // namespace surpass

@@ -94,8 +94,12 @@ tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t l
           ? fmt::format("requirement {} contradicts itself or the given vertices",
                         names_of(all, requirements))
           : fmt::format("requirements contradict each other: {}", names_of(all, requirements));
+  const bool at_vertex = all.size() == 1 && is_at_vertex(requirements[last]);
   return fail(ErrorCode::contradictory,
-              fmt::format("{}; together they miss by {:.3g} of the box side", what, amount),
+              fmt::format("{}; together they miss by {:.3g} of the box side{}", what, amount,
+                          at_vertex ? "; a given vertex lies there, which a position at the vertex "
+                                      "moves"
+                                    : ""),
               place_of(requirements[last]));
 }
 
@@ -200,7 +204,8 @@ struct NearRows {
 };
 
 template <class Skip>
-NearRows nearly_dependent(const Rows& rows, const IndependentRows& found, Skip&& skip) {
+NearRows nearly_dependent(const Rows& rows, const IndependentRows& found, const Context& context,
+                          Skip&& skip) {
   std::vector<const DependentRow*> near;
   Triplets own;
   for (const DependentRow& d : found.dependent) {
@@ -217,7 +222,7 @@ NearRows nearly_dependent(const Rows& rows, const IndependentRows& found, Skip&&
   }
   Rows parts(static_cast<Eigen::Index>(near.size()), rows.cols());
   parts.setFromTriplets(own.begin(), own.end());
-  const IndependentRows among = independent_rows(parts);
+  const IndependentRows among = independent_rows(parts, context);
   NearRows result;
   for (const int k : among.independent) result.kept.push_back(*near[static_cast<std::size_t>(k)]);
   // A millionth of a millionth of the row's length is left of it: nothing.
@@ -296,9 +301,12 @@ class Builder {
                                         system_.elimination.control_count());
     // Nearly always all are independent, and then the decomposition that is needed anyway tells so.
     found_ = every_row(values_.factor.size());
-    contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse);
+    const bool may_be = rows_.free.rows() <= rows_.free.cols();
+    if (may_be) {
+      contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse);
+    }
     if (system_.context.cancelled()) return cancelled();
-    if (!contents_->far_from_dependent()) {
+    if (!may_be || !contents_->far_from_dependent()) {
       if (auto ok = choose(); !ok) return tl::make_unexpected(ok.error());
       contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse);
     }
@@ -332,12 +340,23 @@ class Builder {
     return {};
   }
 
-  // Those that do not depend on others, once it is sure that these agree with them.
+  // Those that do not depend on others, once it is sure that these agree with them. Where more is
+  // asked than there are numbers to choose, as many show what is wrong sooner than all.
   Result<void> choose() {
     const Rows scaled = values_.factor.asDiagonal() * rows_.free;
-    found_ = independent_rows(scaled);
+    const Eigen::Index numbers = scaled.cols();
+    if (scaled.rows() > numbers) {
+      if (auto ok = choose_among(scaled.topRows(numbers)); !ok) return ok;
+    }
+    return choose_among(scaled);
+  }
+
+  Result<void> choose_among(const Rows& scaled) {
+    found_ = independent_rows(scaled, system_.context);
     if (system_.context.cancelled()) return cancelled();
-    near_ = nearly_dependent(scaled, found_, [&](int row) { return is_chosen(row); });
+    near_ =
+        nearly_dependent(scaled, found_, system_.context, [&](int row) { return is_chosen(row); });
+    if (system_.context.cancelled()) return cancelled();
     for (const DependentRow& d : found_.dependent) {
       if (d.distance > kDependent && !is_chosen(d.row)) continue;
       if (auto ok = check_dependent(d); !ok) return ok;

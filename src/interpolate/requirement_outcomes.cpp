@@ -21,6 +21,13 @@ double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
+// Only where there are two. Rounding tells them apart by less.
+bool are_parallel(const Vector3& u, const Vector3& v) {
+  constexpr double kParallel = 1e-12;
+  if (u.isZero(0) || v.isZero(0)) return false;
+  return u.stableNormalized().cross(v.stableNormalized()).norm() <= kParallel;
+}
+
 RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>& along,
                               const SurfaceSample& s, double side) {
   RequirementOutcome outcome;
@@ -49,6 +56,9 @@ RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>&
     }
     case Requirement::Kind::derivative: outcome.error = (derivative - value).norm() / side; break;
     case Requirement::Kind::remove: break;
+  }
+  if (r.kind == Requirement::Kind::direction || r.kind == Requirement::Kind::derivative) {
+    outcome.without_plane = are_parallel(vector_of(s.du), vector_of(s.dv));
   }
   return outcome;
 }

@@ -31,6 +31,14 @@ struct LocatedRequirement {
     const Requirement& r, std::size_t number, std::string_view why,
     ErrorCode code = ErrorCode::invalid_argument);
 
+/// Whether a position on a face is one where a given vertex is.
+[[nodiscard]] inline bool is_at_vertex(const Requirement& r) {
+  if (r.vertex != kNone || r.kind != Requirement::Kind::position) return false;
+  const auto is_end = [](double x) { return x == 0 || x == 1; };
+  const SurfacePlace& p = r.place;
+  return p.corner == kNone ? is_end(p.u) && is_end(p.v) : p.u == 0 && p.v == 0;
+}
+
 /// "3 (normal at vertex 7), 5 (...)": the first six of them.
 [[nodiscard]] std::string names_of(std::span<const std::size_t> numbers,
                                    std::span<const Requirement> requirements);

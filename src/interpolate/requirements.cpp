@@ -64,7 +64,7 @@ std::string describe(const Requirement& r) {
   }
   const std::string corner =
       r.place.corner == kNone ? "" : fmt::format(", corner {}", r.place.corner);
-  return fmt::format("{} on face {}{} at ({}, {})", name_of(r.kind), r.place.face, corner,
+  return fmt::format("{} on face {}{} at ({:.6g}, {:.6g})", name_of(r.kind), r.place.face, corner,
                      r.place.u, r.place.v);
 }
 

@@ -146,6 +146,12 @@ void judge_outcomes(std::span<const Requirement> requirements, std::span<const P
                     double side, SimilarityReport& report) {
   const double tolerance = floored_tolerance(kRequirementTolerance, flat(points), side);
   auto notes = notes_on(requirements, report.requirements, tolerance);
+  if (tolerance > kRequirementTolerance && !all_met(report.requirements, kRequirementTolerance)) {
+    notes.push_back(fmt::format(
+        "requirements were held to {:.3g} of the box side only: so far from the origin coordinates "
+        "do not tell less apart; move the mesh there",
+        tolerance));
+  }
   std::move(notes.begin(), notes.end(), std::back_inserter(report.solve.notes));
   if (!all_met(report.requirements, tolerance)) report.solve.converged = false;
 }

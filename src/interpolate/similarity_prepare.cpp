@@ -83,8 +83,11 @@ Result<void> step_with_dummies(const Mesh& mesh, const Topology& topology,
                                Refined& refined) {
   const SubdivisionScheme& scheme = scheme_of(options.rules.scheme);
   if (!scheme.makes_corners_faces()) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("the dummy ring is not for {} surfaces", scheme.title()));
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("the dummy ring is not for {} surfaces; choose the scheme catmull-clark, "
+                    "which takes triangles, too",
+                    scheme.title()));
   }
   ExtendedMesh extended = with_dummy_ring(mesh, topology);
   const auto around = Topology::build(extended.mesh);

@@ -69,8 +69,10 @@ void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<con
 }
 
 // Whether the system was solved, and what to say if not.
-void judge_residual(const SimilarityPrepared& prepared, const FreeOutcome& outcome,
+void judge_residual(const SimilarityPrepared& prepared, const Found& found,
                     SimilarityReport& report) {
+  const FreeOutcome& outcome = found.outcome;
+  const bool moved = !found.redundant.empty();  // by requirements
   const SimilarityOptions& options = prepared.options;
   report.residual = !report.residuals.empty() ? report.residuals.back() : outcome.at_rest ? 0 : 1;
   report.solver_converged = report.residual <= options.solver_tolerance;
@@ -78,7 +80,10 @@ void judge_residual(const SimilarityPrepared& prepared, const FreeOutcome& outco
     report.residual = 1;
     report.solver_converged = false;
     report.solve.notes.emplace_back(
-        "no iterations were allowed: the free vertices are those of the reference");
+        moved
+            ? "no iterations were allowed: the free vertices are those of the reference, moved by "
+              "the least that does what is required"
+            : "no iterations were allowed: the free vertices are those of the reference");
   } else if (!report.solver_converged) {
     report.solve.notes.push_back(
         fmt::format("the residual is {:.3g} of that at the start after {}, above the solver's "
@@ -108,7 +113,7 @@ SimilarityReport similarity_report(const SimilarityPrepared& prepared, Found& fo
   SimilarityReport report;
   fill_report(prepared, found, limits, points, context, report);
   judge_reference(found, bounding_box(points).side(), report);
-  judge_residual(prepared, found.outcome, report);
+  judge_residual(prepared, found, report);
   return report;
 }
 }  // namespace surpass

@@ -107,9 +107,11 @@ Result<void> check_group(const Numbers& group, std::span<const Requirement> requ
       const std::size_t j = wishes[k].requirement;
       if (!contradict(requirements[j], wishes[k], requirements[i], wish)) continue;
       return fail(ErrorCode::contradictory,
-                  fmt::format("requirements contradict each other: {}; no tangent of a length "
-                              "other than 0 does both",
-                              names_of(std::array{j, i}, requirements)),
+                  fmt::format("requirements contradict each other: {}; {}",
+                              names_of(std::array{j, i}, requirements),
+                              wishes[k].is_normal() && wish.is_normal()
+                                  ? "a surface has one normal at a place"
+                                  : "no tangent of a length other than 0 does both"),
                   place_of(requirements[i]));
     }
   }

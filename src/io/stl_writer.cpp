@@ -108,16 +108,7 @@ void write_text(const Mesh& mesh, const std::string& annotation,
   out += "endsolid\n";
 }
 
-Result<void> check_triangles(const Mesh& mesh) {
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const std::size_t corners = mesh.face(f).size();
-    if (corners == 3) continue;
-    return fail(ErrorCode::unsuitable_for_scheme,
-                fmt::format("STL holds triangles only, and this face has {} corners; "
-                            "triangulate the mesh, or write another format",
-                            corners),
-                {.face = f});
-  }
+Result<void> check_positions(const Mesh& mesh) {
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     for (const double x : mesh.points[v]) {
       if (std::isfinite(static_cast<float>(x))) continue;
@@ -154,7 +145,8 @@ void note_channels(const Mesh& mesh, Notes& notes) {
 
 Result<void> write_stl(const Mesh& mesh, const WriteOptions& options, std::string& bytes,
                        Notes& notes) {
-  if (auto triangles = check_triangles(mesh); !triangles) return triangles;
+  if (auto triangles = check_faces(mesh, Format::stl); !triangles) return triangles;
+  if (auto positions = check_positions(mesh); !positions) return positions;
   const bool text = options.encoding == Encoding::ascii;
   std::string annotation = annotation_comment(mesh, notes);
   std::vector<std::string_view> names;

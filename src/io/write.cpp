@@ -118,6 +118,19 @@ Result<void> write_format(const Mesh& mesh, const WriteOptions& options, std::st
 
 }  // namespace
 
+Result<void> check_faces(const Mesh& mesh, Format format) {
+  for (Index f = 0; format == Format::stl && f < mesh.face_count(); ++f) {
+    const std::size_t corners = mesh.face(f).size();
+    if (corners == 3) continue;
+    return fail(ErrorCode::unsuitable_for_scheme,
+                fmt::format("STL holds triangles only, and this face has {} corners; "
+                            "triangulate the mesh, or write another format",
+                            corners),
+                {.face = f});
+  }
+  return {};
+}
+
 Result<std::vector<std::string>> format_mesh(const Mesh& mesh, const WriteOptions& options,
                                              std::string& bytes) {
   io::Notes notes;

@@ -82,7 +82,8 @@ TEST_F(RequiredCheck, PassesWhatWasMadeWithThem) {
     const json report = check({"--requirements", all, "--tolerance", "1e-12", "--oracle"}, 0);
     EXPECT_EQ(report["replaced"], 1);
     EXPECT_EQ(report["removed"], 1);
-    EXPECT_TRUE(says("move 1, compared with the new place, and remove 1, not compared"));
+    EXPECT_TRUE(says(
+        "1 is moved by requirements, compared with the new place, and 1 is removed, not compared"));
     EXPECT_LT(report["oracle"]["max"], 1e-13);
     ASSERT_EQ(report["requirements"].size(), 6U);
     for (const json& r : report["requirements"]) EXPECT_LT(r["error"], 1e-13) << r;

@@ -86,6 +86,14 @@ TEST_F(Requirements, WrongEntriesNameTheFile) {
   refused(with(R"({"vertex": 0, "normal": [0, 0, 1], "position": [0, 0, 1]})"),
           "exactly one of position, normal, direction, derivative and remove; it has position and "
           "normal");
+  refused(with(R"({"vertex": 0, "norml": [0, 0, 1]})"), "and remove; it has \"norml\"");
+  refused(R"({"requirement": []})", "it has \"requirement\"");
+  // Whoever wrote it by hand looks for a line.
+  refused("{\"requirements\": [\n  {\"vertex\": 0,, ",
+          "requirements.json:2:16: is not JSON from here on");
+  refused("{\"requirements\":\n\n[1e999]}",
+          "requirements.json:3:6: holds a number here that no double");
+  refused("", "requirements.json:1:1: is not JSON");
 }
 
 TEST_F(Requirements, ContradictionsAreNamedAndNothingIsWritten) {

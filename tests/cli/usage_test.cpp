@@ -104,15 +104,24 @@ TEST(Usage, OutputsThatCannotBeMeant) {
   expect_usage_error({"interpolate", given, "-o", folder / "./given.obj"}, "is an input");
   std::filesystem::create_symlink(given, folder / "link.obj");
   expect_usage_error({"interpolate", given, "-o", folder / "link.obj"}, "is an input");
-  expect_usage_error({"interpolate", given, "-o", folder / "a.obj", "--surface", folder / "a.obj"},
-                     "are the same file");
+  std::filesystem::create_symlink("a.obj", folder / "to_a.obj");  // which is not there yet
+  for (const char* again : {"a.obj", "./a.obj", "../@/a.obj", "to_a.obj"}) {
+    std::string path = folder / again;
+    if (const auto at = path.find('@'); at != std::string::npos) {
+      path.replace(at, 1, std::filesystem::path(folder / "").parent_path().filename());
+    }
+    for (const char* option : {"--surface", "--report"}) {
+      expect_usage_error({"interpolate", given, "-o", folder / "a.obj", option, path},
+                         "is the same file as");
+    }
+  }
   const auto with_reference = [&](const std::string& path) {
     return std::vector<std::string>{
         "interpolate",       given,        "-o",          folder / "a.obj",
         "--method",          "similarity", "--reference", folder / "link.obj",
         "--write-reference", path};
   };
-  expect_usage_error(with_reference(folder / "a.obj"), "are the same file");
+  expect_usage_error(with_reference(folder / "a.obj"), "is the same file as");
   expect_usage_error(with_reference(given), "is an input");
   expect_usage_error(with_reference(folder / "link.obj"), "is an input");
   expect_usage_error(with_reference(folder / "r.png"), "does not name a format");
@@ -129,6 +138,31 @@ TEST(Usage, OutputsThatCannotBeMeant) {
   EXPECT_NE(both.err.find("only one output can be '-'"), std::string::npos) << both.err;
   EXPECT_NE(both.out.find("\"failure\""), std::string::npos) << both.out;
   EXPECT_EQ(slurp(given), slurp(data("octahedron.obj")));
+}
+
+TEST(Usage, AReportTakesNoOutputsPlace) {
+  const TempFolder folder;
+  const std::string before = folder.file("before.obj", "made earlier");
+  const std::string again = folder / "./before.obj";
+  expect_usage_error({"interpolate", data("octahedron.obj"), "-o", before, "--report", again},
+                     "is the same file as");
+  EXPECT_EQ(slurp(before), "made earlier");
+}
+
+TEST(Usage, FormatsAreCheckedBeforeAnythingIsWritten) {
+  const TempFolder folder;
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--surface", folder / "s.stl"},
+        std::vector<std::string>{"--write-reference", folder / "r.stl", "--method",
+                                 "similarity"}}) {
+    std::vector<std::string> words = {"interpolate", data("quad_torus.obj"), "-o",
+                                      folder / "c.obj"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = surpass(words);
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(outcome.err.find("STL holds triangles only"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(folder.names().empty());
+  }
 }
 
 TEST(Usage, ForceReplacesTheInput) {

@@ -1,6 +1,7 @@
 // The same requirement said in different words, and numbers that say nothing.
 #include <surpass/similarity.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -107,6 +108,62 @@ TEST_F(RequirementWords, MissesAreToldInBoxSides) {
   const double side = bounding_box(mesh_.points).side();
   EXPECT_NEAR(std::stod(expected.substr(std::string("together they miss by ").size())), 0.5 / side,
               1e-2 / side);
+}
+
+// The cube refined once has 26 control points: most of so many positions can neither be chosen nor
+// follow from others. Those of a surface that exists do follow.
+TEST(RequirementCounts, MoreThanThereAreNumbersToChoose) {
+  const Mesh cube = test::cube();
+  const auto solver = SimilarityInterpolator::create(cube).value();
+  Mesh control = solver.refined();
+  control.points = solver.solve(cube.points).value().points;
+  control.points[20][0] += 0.1;  // a surface of its own, but through the same vertices
+  const auto meets = solver.limit_positions(control.points).value();
+  const LimitSurface surface = LimitSurface::create(control, SimilarityOptions{}.rules).value();
+  std::vector<Requirement> all;
+  for (Index v = 0; v < 8; ++v) all.push_back(test::at_vertex(Kind::position, v, meets[v]));
+  constexpr int kSide = 3;
+  for (Index corner = 0; corner < cube.corner_count(); ++corner) {
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const double u = (i % kSide + 0.5) / kSide;
+      const double v = (i / kSide + 0.5) / kSide;
+      const SurfaceSample s = surface.evaluate({corner, u, v}).value();
+      all.push_back(test::on_face(Kind::position, {corner / 4, u, v, corner % 4}, s.position));
+    }
+  }
+  ASSERT_GT(all.size(), 2 * control.points.size());
+  const auto found = solver.solve_required(all, cube.points);
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_LT(test::max_distance(found->points, control.points), 1e-9);
+  for (const RequirementOutcome& outcome : found->report.requirements) {
+    EXPECT_LT(outcome.error, 1e-10);
+  }
+  std::vector<Requirement> many;
+  for (int k = 0; k < 4000; ++k) {
+    const auto at = [&](double step) { return std::fmod(0.5 + step * k, 1.0); };
+    const SurfacePlace place{static_cast<Index>(k % 6), at(0.754877), at(0.569840)};
+    many.push_back(test::on_face(Kind::position, place, {at(0.618), at(0.382), at(0.236)}));
+  }
+  const auto refused = solver.solve_required(many, cube.points);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
+}
+
+// Two directions along one line meet their equations, and leave a spike.
+TEST_F(RequirementWords, SurfacesWithoutATangentPlaneAreNoted) {
+  const Index v = mesh_.face(6)[0];
+  const auto both = [&](const Point& other) {
+    return solve(
+        {test::towards(Kind::direction, v, mesh_.face(6)[1], {0, 0, 1}),
+         test::towards(Kind::direction, v, mesh_.face(6)[mesh_.face(6).size() - 1], other)});
+  };
+  const auto spike = both({0, 0, 1});
+  EXPECT_TRUE(spike.report.requirements[0].without_plane);
+  EXPECT_TRUE(std::any_of(spike.report.solve.notes.begin(), spike.report.solve.notes.end(),
+                          [](const std::string& note) {
+                            return note.find("without a tangent plane") != std::string::npos;
+                          }));
+  EXPECT_FALSE(both({1, 0, 0}).report.requirements[0].without_plane);
 }
 
 TEST(NormalsEverywhere, GoByWhatIsSharpInTheEnd) {
