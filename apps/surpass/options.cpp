@@ -215,6 +215,7 @@ Option Options::choices_of_words(
     const std::string& description) {
   const auto take = [=](const std::vector<std::string>& given) {
     std::vector<std::size_t> numbers;
+    numbers.reserve(given.size());
     for (const std::string& word : given) numbers.push_back(number_of(word, words));
     const std::string fault = store(numbers);
     if (!fault.empty()) throw CLI::ValidationError(name, fault);

@@ -210,11 +210,11 @@ Result<RequirementRows> equations_of(const SimilarityPrepared& prepared, const M
 }  // namespace
 
 Result<SimilaritySolution> SimilarityInterpolator::solve_required(
-    std::span<const Requirement> asked, std::span<const Point> points,
+    std::span<const Requirement> requirements, std::span<const Point> points,
     std::span<const Point> reference, std::span<const Channel> channels,
     const Context& context) const {
   const SimilarityPrepared& prepared = *impl_;
-  if (asked.empty()) {
+  if (requirements.empty()) {
     auto plain = solve_like(reference, points, channels, context);
     if (plain) plain->targets.assign(points.begin(), points.end());
     return plain;
@@ -223,9 +223,9 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
     return tl::make_unexpected(ok.error());
   }
   const Rules& rules = prepared.options.rules;
-  const std::vector<Requirement> requirements = canonical(asked);
+  const std::vector<Requirement> asked = canonical(requirements);
   Mesh control = control_mesh(prepared);
-  auto equations = equations_of(prepared, control, requirements, points, context);
+  auto equations = equations_of(prepared, control, asked, points, context);
   if (!equations) return tl::make_unexpected(equations.error());
   auto released = Elimination::build(prepared.elimination.limits(),
                                      static_cast<Index>(prepared.control_count()), context,
@@ -234,7 +234,7 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   std::vector<Point>& targets = equations->targets;
   auto found = find_with_tangents(prepared,
                                   {flat(std::span<const Point>(targets)), flat(reference), 3, true,
-                                   *released, &*equations, requirements},
+                                   *released, &*equations, asked},
                                   *equations, context);
   if (!found) return tl::make_unexpected(found.error());
   control.points = points_of(found->values);
@@ -247,16 +247,15 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
       solution_of(prepared, *found, control.points, limits, targets, context);
   const double extent = bounding_box(targets).side();
   const double side = extent > 0 ? extent : 1;
-  if (auto ok = check_planes(requirements, *equations, control.points, side, found->opposed); !ok) {
+  if (auto ok = check_planes(asked, *equations, control.points, side, found->opposed); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  auto outcomes =
-      requirement_outcomes(control, rules, limits, *equations, requirements, side, context);
+  auto outcomes = requirement_outcomes(control, rules, limits, *equations, asked, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   solution.report.requirements = std::move(*outcomes);
   mark_redundant(*equations, *found, solution.report.requirements);
-  note_lengths(*equations, requirements, solution.report);
-  judge_outcomes(requirements, targets, side, solution.report);
+  note_lengths(*equations, asked, solution.report);
+  judge_outcomes(asked, targets, side, solution.report);
   solution.targets = std::move(targets);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());

@@ -77,18 +77,19 @@ Result<void> check_tangents_exist(std::span<const Requirement> requirements,
 }  // namespace
 
 Result<RequiredCertificate> certify_required(const Mesh& control, const Mesh& given,
-                                             const Rules& rules, std::span<const Requirement> asked,
+                                             const Rules& rules,
+                                             std::span<const Requirement> requirements,
                                              const Context& context) {
-  const std::vector<Requirement> requirements = canonical(asked);
+  const std::vector<Requirement> asked = canonical(requirements);
   if (auto ok = check_vertex_counts(control, given.points.size()); !ok) {
     return tl::make_unexpected(ok.error());
   }
   const auto refined = refined_control(control, rules, context);
   if (!refined) return tl::make_unexpected(refined.error());
-  if (auto ok = check_places(*refined, given, rules, requirements); !ok) {
+  if (auto ok = check_places(*refined, given, rules, asked); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  const auto equations = requirement_rows(*refined, rules, given, requirements, context);
+  const auto equations = requirement_rows(*refined, rules, given, asked, context);
   if (!equations) return tl::make_unexpected(equations.error());
   const auto limits = given_limit_points(*refined, given, rules, context);
   if (!limits) return tl::make_unexpected(limits.error());
@@ -96,11 +97,10 @@ Result<RequiredCertificate> certify_required(const Mesh& control, const Mesh& gi
   aim(*equations, *limits, given, certificate);
   const double extent = bounding_box(certificate.targets).side();
   const double side = extent > 0 ? extent : 1;
-  if (auto ok = check_tangents_exist(requirements, *equations, *refined, side); !ok) {
+  if (auto ok = check_tangents_exist(asked, *equations, *refined, side); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  auto outcomes =
-      requirement_outcomes(*refined, rules, *limits, *equations, requirements, side, context);
+  auto outcomes = requirement_outcomes(*refined, rules, *limits, *equations, asked, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   certificate.outcomes = std::move(*outcomes);
   auto vertices = compare_points(*limits, certificate.targets, "surpass");
