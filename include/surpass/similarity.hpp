@@ -171,8 +171,8 @@ class SimilarityInterpolator {
   /// compute with, all naming them. All but moved and removed vertices need a scheme that
   /// LimitSurface evaluates. Not converged: one is missed by more than kRequirementTolerance.
   /// Method: what the equations forbid is projected out of the gradient in each iteration, by a
-  /// sparse Cholesky decomposition of their products; another one finds those that depend on the
-  /// rest. Lai and Cheng 2006, section 3, choose a vertex to eliminate for each requirement.
+  /// sparse Cholesky decomposition of their products, whose pivots also tell whether some depend on
+  /// the rest. Lai and Cheng 2006, section 3, choose a vertex to eliminate for each requirement.
   [[nodiscard]] Result<SimilaritySolution> solve_required(std::span<const Requirement> requirements,
                                                           std::span<const Point> points,
                                                           std::span<const Point> reference = {},

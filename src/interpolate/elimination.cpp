@@ -123,7 +123,7 @@ void meet_coupled(const CoupledRow& row, std::size_t width, std::span<const doub
 
 // A row's weights sum to one. So all can be said of differences to the row's own target, which far
 // from the origin are exact where the numbers themselves would be rounded.
-
+//
 // For three numbers a point, the case that matters: the sums stay in registers.
 void Elimination::meet_3(Index i, const double* own, std::span<double> x) const {
   const auto columns = limits_.row_columns(i);

@@ -269,10 +269,6 @@ tl::unexpected<Error> cancelled() {
   return fail(ErrorCode::cancelled, "cancelled while setting up");
 }
 
-}  // namespace
-
-namespace {
-
 using Contents = LinearConstraints::Contents;
 
 class Builder {
