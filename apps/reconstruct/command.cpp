@@ -298,6 +298,7 @@ Result<void> Reconstruct::write(const Mesh& mesh, const Interpolated& interpolat
                                 const Mesh& unused, Session& session) const {
   const auto surface = surface_.make(interpolated.control, rules_, session);
   if (!surface) return tl::make_unexpected(surface.error());
+  if (const auto fits = surface_.check(*surface, output_); !fits) return fits;
   if (const auto done = output_.write(mesh, session); !done) return done;
   if (!control_path_.empty()) {
     if (const auto done = output_.write(interpolated.control, control_path_, session); !done) {
