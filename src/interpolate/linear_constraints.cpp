@@ -149,9 +149,9 @@ struct LinearConstraints::Contents {
   std::vector<unsigned char> redundant;
   std::set<std::size_t> opposed;
 
-  // The equations that are solved for: `pick` times all that were asked.
-  void solve_for(const Rows& pick, const BothRows& rows, const Values& values,
-                 const Rows& inverse) {
+  // The equations that are solved for: `pick` times all that were asked. Incomplete if cancelled.
+  void solve_for(const Rows& pick, const BothRows& rows, const Values& values, const Rows& inverse,
+                 const Context& context) {
     all = pick * rows.all;
     free = pick * rows.free;
     value = pick * values.in_units;
@@ -159,7 +159,10 @@ struct LinearConstraints::Contents {
     downward = inverse * Rows(free.transpose());
     const Eigen::SparseMatrix<double> product = free * downward;
     squares = product.diagonal();
-    products.compute(product);
+    if (context.cancelled()) return;
+    products.analyzePattern(product);
+    if (context.cancelled()) return;
+    products.factorize(product);
   }
 
   // Whether each equation has, by what measures changes here, a thousandth or more of its length of
@@ -299,13 +302,16 @@ class Builder {
     found_ = every_row(values_.factor.size());
     const bool may_be = rows_.free.rows() <= rows_.free.cols();
     if (may_be) {
-      contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse);
+      contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse,
+                           system_.context);
     }
     if (system_.context.cancelled()) return cancelled();
     if (!may_be || !contents_->far_from_dependent()) {
       if (auto ok = choose(); !ok) return tl::make_unexpected(ok.error());
-      contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse);
+      contents_->solve_for(picked_rows(found_, near_, values_.factor), rows_, values_, inverse,
+                           system_.context);
     }
+    if (system_.context.cancelled()) return cancelled();
     if (contents_->products.info() != Eigen::Success) {
       return fail(ErrorCode::singular,
                   "the requirements are too nearly dependent to be solved for");
