@@ -9,6 +9,7 @@
 #include "requirements_input.hpp"
 #include "rules_option.hpp"
 #include "solver_options.hpp"
+#include "wording.hpp"
 
 namespace surpass::cli {
 
@@ -155,12 +156,13 @@ class Check : public Command {
     if (own->replaced + own->removed > 0) {
       session.console.note(fmt::format(
           "of {} given vertices {}, and {}", given.points.size(),
-          own->replaced == 0 ? "none is moved by requirements"
-                             : fmt::format("{} moved by requirements, compared with the new place",
-                                           counted(own->replaced, "is", "are")),
+          own->replaced == 0
+              ? "none is moved by requirements"
+              : counted(own->replaced, "is moved by requirements, compared with the new place",
+                        "are moved by requirements, compared with the new place"),
           own->removed == 0
               ? "none removed"
-              : fmt::format("{} removed, not compared", counted(own->removed, "is", "are"))));
+              : counted(own->removed, "is removed, not compared", "are removed, not compared")));
     }
     Findings findings = findings_of(own->vertices, session);
     findings.requirements = std::move(*requirements);

@@ -133,9 +133,10 @@ Result<void> HtmlReport::prepare(Session& session, const std::vector<std::string
   if (!wanted()) return {};
   session.on_page = true;
   std::vector<std::string> outputs = other_outputs;
+  outputs.push_back(path_);
+  // Last, as everywhere: it is the one that must not go where another output is.
   outputs.push_back(session.report_path);
   std::erase(outputs, "");
-  outputs.push_back(path_);
   if (const auto checked = check_paths(inputs, outputs, true); !checked) return checked;
   // No --force: a page in the place of a mesh is always a mistake.
   if (const auto checked = check_paths(inputs, {path_}, false); !checked) return checked;

@@ -137,9 +137,9 @@ class Entry {
   std::string problem_;
 };
 
-// Keys that are there twice, of which a reader takes the last without a word. Objects in the outer
-// one are those of the list's entries. A pass of its own: the library's parser with a callback
-// looks at the whole list again after each entry.
+// What the parser would not say: that a key is there twice, of which it takes the last without a
+// word, and where a number is too large. Objects in the outer one are those of the list's entries.
+// A pass of its own, for the parser with a callback looks at the whole list again after each entry.
 class FirstFault final : public nlohmann::json_sax<Json> {
  public:
   /// A sentence on the first key that is there twice; empty if there is none.
@@ -194,10 +194,10 @@ class FirstFault final : public nlohmann::json_sax<Json> {
 // Of a byte, from 1, in a text.
 Place place_at(const std::string& path, const std::string& text, std::size_t byte) {
   const std::string_view before = std::string_view(text).substr(0, byte > 0 ? byte - 1 : 0);
-  const std::size_t start = before.rfind('\n');  // npos + 1 is 0
+  const std::size_t last = before.rfind('\n');  // npos: -1, as if one came before the text
   return {.file = path,
           .line = 1 + static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n')),
-          .column = before.size() - (start + 1) + 1};
+          .column = before.size() - last};
 }
 
 }  // namespace

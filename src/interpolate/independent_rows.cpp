@@ -5,8 +5,6 @@
 #include <map>
 #include <utility>
 
-#include <Eigen/SparseCholesky>
-
 namespace surpass {
 namespace {
 
@@ -116,12 +114,11 @@ IndependentRows independent_among(const Rows& rows, const std::vector<int>& whic
   Factor factor;
   factor.setShift(kShift);
   factor.compute(products_of(some));
-  const Eigen::VectorXd pivots = factor.vectorD();
-  const auto& order = factor.permutationP().indices();
+  const Eigen::VectorXd pivots = pivots_of(factor);
   std::vector<int> suspects;
   for (int i = 0; i < static_cast<int>(which.size()); ++i) {
-    const double pivot = order.size() == 0 ? pivots[i] : pivots[order[i]];
-    (pivot < kSuspect ? suspects : found.independent).push_back(which[static_cast<std::size_t>(i)]);
+    (pivots[i] < kSuspect ? suspects : found.independent)
+        .push_back(which[static_cast<std::size_t>(i)]);
   }
   if (suspects.empty()) return found;
   const Rows basis = picked(rows, found.independent);
@@ -147,6 +144,13 @@ std::size_t most_independent(const Rows& rows) {
 }
 
 }  // namespace
+
+Eigen::VectorXd pivots_of(const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>& factor) {
+  Eigen::VectorXd pivots = factor.vectorD();
+  const auto& order = factor.permutationP().indices();  // none: rows are in their own
+  for (Eigen::Index i = 0; i < order.size(); ++i) pivots[i] = factor.vectorD()[order[i]];
+  return pivots;
+}
 
 IndependentRows independent_rows(const Rows& rows, const Context& context) {
   IndependentRows found;

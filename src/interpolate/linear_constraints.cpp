@@ -94,13 +94,15 @@ tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t l
           ? fmt::format("requirement {} contradicts itself or the given vertices",
                         names_of(all, requirements))
           : fmt::format("requirements contradict each other: {}", names_of(all, requirements));
-  const bool at_vertex = all.size() == 1 && is_at_vertex(requirements[last]);
+  const Requirement& r = requirements[last];
+  const bool at_vertex = all.size() == 1 && r.kind == Requirement::Kind::position &&
+                         r.vertex == kNone && corner_at(r.place) != kNone;
   return fail(ErrorCode::contradictory,
               fmt::format("{}; together they miss by {:.3g} of the box side{}", what, amount,
                           at_vertex ? "; a given vertex lies there, which a position at the vertex "
                                       "moves"
                                     : ""),
-              place_of(requirements[last]));
+              place_of(r));
 }
 
 // Values of the equations in the units of the solve.
@@ -170,12 +172,7 @@ struct LinearConstraints::Contents {
   [[nodiscard]] bool far_from_dependent() const {
     constexpr double kFar = 1e-6;  // a squared share
     if (products.info() != Eigen::Success) return false;
-    const Vector pivots = products.vectorD();
-    const auto& order = products.permutationP().indices();
-    for (Eigen::Index i = 0; i < pivots.size(); ++i) {
-      if (!(pivots[order.size() == 0 ? i : order[i]] > kFar * squares[i])) return false;
-    }
-    return true;
+    return (pivots_of(products).array() > kFar * squares.array()).all();
   }
 
   [[nodiscard]] Vector multipliers(const Vector& right) const {

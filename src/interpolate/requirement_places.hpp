@@ -31,12 +31,11 @@ struct LocatedRequirement {
     const Requirement& r, std::size_t number, std::string_view why,
     ErrorCode code = ErrorCode::invalid_argument);
 
-/// Whether a position on a face is one where a given vertex is.
-[[nodiscard]] inline bool is_at_vertex(const Requirement& r) {
-  if (r.vertex != kNone || r.kind != Requirement::Kind::position) return false;
-  const auto is_end = [](double x) { return x == 0 || x == 1; };
-  const SurfacePlace& p = r.place;
-  return p.corner == kNone ? is_end(p.u) && is_end(p.v) : p.u == 0 && p.v == 0;
+/// The corner of its face that a place lies in; kNone elsewhere.
+[[nodiscard]] inline Index corner_at(const SurfacePlace& place) {
+  const auto is_at = [&](double u, double v) { return place.u == u && place.v == v; };
+  if (place.corner != kNone) return is_at(0, 0) ? place.corner : kNone;
+  return is_at(0, 0) ? 0 : is_at(1, 0) ? 1 : is_at(1, 1) ? 2 : is_at(0, 1) ? 3 : kNone;
 }
 
 /// "3 (normal at vertex 7), 5 (...)": the first six of them.

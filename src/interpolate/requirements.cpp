@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "interpolate/requirement_places.hpp"
 #include "scheme/sharpness.hpp"
 
 namespace surpass {
@@ -111,13 +112,8 @@ bool lies_on_boundary(const Topology& topology, const SurfacePlace& place) {
   const auto is_open = [&](Index side) {
     return topology.opposite(begin + side % degree) == kNone;
   };
-  const auto is_end = [](double x) { return x == 0 || x == 1; };
-  if (place.corner == kNone && is_end(place.u) && is_end(place.v)) {
-    const Index k = place.v == 0 ? (place.u == 0 ? 0 : 1) : (place.u == 1 ? 2 : 3);
+  if (const Index k = corner_at(place); k < degree) {
     return topology.is_boundary(topology.tail(begin + k));
-  }
-  if (place.corner != kNone && place.corner < degree && place.u == 0 && place.v == 0) {
-    return topology.is_boundary(topology.tail(begin + place.corner));
   }
   if (place.corner == kNone) {
     return (place.v == 0 && is_open(0)) || (place.u == 1 && is_open(1)) ||
