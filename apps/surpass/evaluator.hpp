@@ -1,4 +1,6 @@
-// Certificates for commands: by our own evaluator, and by OpenSubdiv's where it is built in.
+// Certificates by OpenSubdiv's evaluator, for commands. It takes longer to load than a small mesh to
+// interpolate, so there are two programs of the same commands: `surpass`, linked with no_oracle.cpp,
+// becomes `surpass-oracle`, linked with oracle.cpp, where it is asked for OpenSubdiv.
 #pragma once
 
 #include <surpass/quality.hpp>
@@ -11,6 +13,9 @@ namespace surpass::cli {
 /// --oracle.
 void add_oracle(Options& options, bool& oracle);
 
+/// "OpenSubdiv 3.5.0", or "not built in".
+[[nodiscard]] std::string oracle_version();
+
 /// Fails early where --oracle cannot be served: not built in, or a rule that OpenSubdiv lacks.
 [[nodiscard]] Result<void> check_oracle(bool oracle, const Rules& rules);
 
@@ -18,6 +23,10 @@ void add_oracle(Options& options, bool& oracle);
 [[nodiscard]] Result<Certificate> certify_by_oracle(const Mesh& control,
                                                     std::span<const Point> given,
                                                     const Rules& rules);
+
+/// What follows `surpass` is for the program that has OpenSubdiv: becomes it, where this is not the
+/// one. Returns where it is, or where there is no such program beside this one.
+void become_oracle_if_asked(const std::vector<std::string>& words);
 
 [[nodiscard]] Json certificate_json(const Certificate& certificate);
 

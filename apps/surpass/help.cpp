@@ -3,10 +3,8 @@
 #include <surpass/version.hpp>
 
 #include "command.hpp"
+#include "evaluator.hpp"
 #include "other_program.hpp"
-#ifdef SURPASS_ORACLE
-#include <surpass/oracle.hpp>
-#endif
 
 #include <fmt/format.h>
 
@@ -40,12 +38,8 @@ std::string overview() {
 }
 
 std::string version_text() {
-  std::string text = fmt::format("surpass {}\n  threads      {}\n", kVersion, kThreads);
-#ifdef SURPASS_ORACLE
-  text += fmt::format("  oracle       {}\n", opensubdiv_version());
-#else
-  text += "  oracle       not built in\n";
-#endif
+  std::string text = fmt::format("surpass {}\n  threads      {}\n  oracle       {}\n", kVersion,
+                                 kThreads, oracle_version());
   for (const CommandEntry& entry : commands()) {
     if (entry.make != nullptr) continue;
     text += fmt::format(

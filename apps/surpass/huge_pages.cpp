@@ -20,13 +20,18 @@ LargeBlocks& large_blocks() {
   return blocks;
 }
 
+void* try_small(std::size_t size, std::size_t alignment) {
+  if (alignment <= alignof(std::max_align_t)) return std::malloc(size);  // cheaper
+  const std::size_t rounded = (size + alignment - 1) & ~(alignment - 1);
+  return rounded < size ? nullptr : std::aligned_alloc(alignment, rounded);
+}
+
 void* allocate_small(std::size_t size, std::size_t alignment) {
-  const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) & ~(alignment - 1);
-  if (rounded < size) return nullptr;
-  void* block = std::aligned_alloc(alignment, rounded);
+  size = std::max<std::size_t>(size, 1);
+  void* block = try_small(size, alignment);
   if (block != nullptr) return block;
   large_blocks().give_back();
-  return std::aligned_alloc(alignment, rounded);
+  return try_small(size, alignment);
 }
 
 void* allocate(std::size_t size, std::size_t alignment) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "evaluator.hpp"
 #include "help.hpp"
 #include "other_program.hpp"
 #include "runner.hpp"
@@ -30,6 +31,7 @@ int run(Words words) {
     console.error("name a command; see surpass --help");
     return exit_status(ErrorCode::invalid_argument);
   }
+  become_oracle_if_asked(words);
   std::string first = words.front();
   words.erase(words.begin());
   if (first == "--version") return print_out(version_text(), console);

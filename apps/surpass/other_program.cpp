@@ -21,6 +21,21 @@ fs::path beside_this_program(const std::string& name) {
   return failed ? fs::path() : self.parent_path() / name;
 }
 
+/// What exec wants: the program's name, the words, and an end.
+class ArgumentList {
+ public:
+  ArgumentList(const std::string& name, const std::vector<std::string>& words) : texts_{name} {
+    texts_.insert(texts_.end(), words.begin(), words.end());
+    for (std::string& text : texts_) pointers_.push_back(text.data());
+    pointers_.push_back(nullptr);
+  }
+  [[nodiscard]] char* const* pointers() const { return pointers_.data(); }
+
+ private:
+  std::vector<std::string> texts_;
+  std::vector<char*> pointers_;
+};
+
 }  // namespace
 
 bool has_other_program(const CommandEntry& entry) {
@@ -35,16 +50,14 @@ bool has_other_program(const CommandEntry& entry) {
   return false;
 }
 
+void become_program_beside(const std::string& name, const std::vector<std::string>& words) {
+  execv(beside_this_program(name).c_str(), ArgumentList(name, words).pointers());
+}
+
 int run_other_program(const CommandEntry& entry, const std::vector<std::string>& words) {
   const std::string name = fmt::format("surpass-{}", entry.name);
-  std::vector<std::string> arguments = {name};
-  arguments.insert(arguments.end(), words.begin(), words.end());
-  std::vector<char*> pointers;
-  pointers.reserve(arguments.size() + 1);
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  execv(beside_this_program(name).c_str(), pointers.data());
-  execvp(name.c_str(), pointers.data());
+  become_program_beside(name, words);
+  execvp(name.c_str(), ArgumentList(name, words).pointers());
   if (errno != ENOENT) {
     Console().error(fmt::format("{} cannot be started: {}", name, std::strerror(errno)));
     return exit_status(ErrorCode::not_built_in);

@@ -21,6 +21,10 @@ inline constexpr CommandEntry kRender = {
 /// program, and then has said so.
 int run_other_program(const CommandEntry& entry, const std::vector<std::string>& words);
 
+/// Becomes the program of this name that lies beside this one, with these words after its name.
+/// Returns only where that is not possible; `errno` says why.
+void become_program_beside(const std::string& name, const std::vector<std::string>& words);
+
 /// Whether there is such a program where run_other_program() looks.
 [[nodiscard]] bool has_other_program(const CommandEntry& entry);
 

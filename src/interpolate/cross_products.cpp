@@ -4,6 +4,7 @@
 // them takes about as long as computing them again.
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "interpolate/cross_kernels.hpp"
 #include "interpolate/lane_points.hpp"
@@ -51,6 +52,12 @@ bool sees_lengths(RowWeights weights) {
 RowLaw<float> in_single_precision(const Law& law) {
   const auto round = [](double x) { return static_cast<float>(x); };
   return {round(law.numerator), round(law.slope), round(law.constant), round(law.threshold)};
+}
+
+// Their places in it are written before they are read, so zeros would be for nothing.
+template <class T>
+std::unique_ptr<T[]> room_for(std::size_t count) {
+  return std::make_unique_for_overwrite<T[]>(count);
 }
 
 class CrossProducts final : public PatchEnergy {
@@ -135,14 +142,14 @@ Means CrossProducts::means(const Context& context) const {
       [&](const PatchLayout::Chunk& chunk) {
         Means sums;
         const double* const reference = reference_of(chunk);
-        std::vector<LaneVectors<double>> points(most_columns_);
-        std::vector<LaneNumbers> squares(most_rows_);
-        std::vector<LaneVectors<double>> places(most_places_);
+        const auto points = room_for<LaneVectors<double>>(most_columns_);
+        const auto squares = room_for<LaneNumbers>(most_rows_);
+        const auto places = room_for<LaneVectors<double>>(most_places_);
         layout_.for_groups<kLanes<double>>(
             chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
               const CrossKind& kind = kinds_[number];
-              gather_points(local, kind.columns, lanes, reference, points.data());
-              squares_of_patches(kind, points.data(), squares.data(), places.data());
+              gather_points(local, kind.columns, lanes, reference, points.get());
+              squares_of_patches(kind, points.get(), squares.get(), places.get());
               for (std::size_t r = 0; r < kind.rows.size(); ++r) {
                 const CrossKind::Row& row = kind.rows[r];
                 double sum = 0;
@@ -170,18 +177,18 @@ double CrossProducts::product_in(const Context& context, std::span<const double>
     const std::size_t size = kPointStride * chunk.points.size();
     const auto own = std::make_unique_for_overwrite<double[]>(size);
     chunk.copy_to(3, kPointStride, x, own.get());
-    std::vector<LaneVectors<Real>> at_reference(most_columns_);
-    std::vector<LaneVectors<Real>> at_x(most_columns_);
-    std::vector<LaneVectors<Real>> sums(most_columns_);
-    std::vector<LaneVectors<Real>> places(most_places_);
+    const auto at_reference = room_for<LaneVectors<Real>>(most_columns_);
+    const auto at_x = room_for<LaneVectors<Real>>(most_columns_);
+    const auto sums = room_for<LaneVectors<Real>>(most_columns_);
+    const auto places = room_for<LaneVectors<Real>>(most_places_);
     layout_.for_groups<kLanes<Real>>(
         chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
           const CrossKind& kind = kinds_[number];
-          gather_points(local, kind.columns, lanes, reference, at_reference.data());
-          gather_points(local, kind.columns, lanes, own.get(), at_x.data());
-          gradient_of_patches(kind, laws_in<Real>(number), at_reference.data(), at_x.data(),
-                              sums.data(), places.data());
-          scatter_points(local, kind.columns, lanes, sums.data(), values.data());
+          gather_points(local, kind.columns, lanes, reference, at_reference.get());
+          gather_points(local, kind.columns, lanes, own.get(), at_x.get());
+          gradient_of_patches(kind, laws_in<Real>(number), at_reference.get(), at_x.get(),
+                              sums.get(), places.get());
+          scatter_points(local, kind.columns, lanes, sums.get(), values.data());
         });
     return dot_of_points(std::span<const double>(own.get(), size), std::span<const Real>(values));
   };
@@ -194,15 +201,15 @@ std::vector<Real> CrossProducts::diagonal_in(const Context& context) const {
   layout_.add_up<Real>(
       context, 6, 6, std::span(sum), [&](const PatchLayout::Chunk& chunk, std::span<Real> values) {
         const double* const reference = reference_of(chunk);
-        std::vector<LaneVectors<Real>> points(most_columns_);
-        std::vector<LaneBlock<Real>> sums(most_columns_);
-        std::vector<LaneVectors<Real>> places(most_places_);
+        const auto points = room_for<LaneVectors<Real>>(most_columns_);
+        const auto sums = room_for<LaneBlock<Real>>(most_columns_);
+        const auto places = room_for<LaneVectors<Real>>(most_places_);
         layout_.for_groups<kLanes<Real>>(
             chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
               const CrossKind& kind = kinds_[number];
-              gather_points(local, kind.columns, lanes, reference, points.data());
-              diagonal_of_patches(kind, laws_in<Real>(number), points.data(), sums.data(),
-                                  places.data());
+              gather_points(local, kind.columns, lanes, reference, points.get());
+              diagonal_of_patches(kind, laws_in<Real>(number), points.get(), sums.get(),
+                                  places.get());
               for (std::size_t l = 0; l < lanes; ++l) {
                 for (std::size_t c = 0; c < kind.columns; ++c) {
                   Real* to = values.data() + std::size_t{6} * local[l * kind.columns + c];

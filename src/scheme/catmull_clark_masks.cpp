@@ -92,12 +92,16 @@ PlainRow limit_row(std::size_t valence) {
 FaceRing FaceRing::around(const Topology& topology, const Sharpness& sharpness, Index v) {
   FaceRing ring;
   static_cast<Ring&>(ring) = Ring::around(topology, sharpness, v);
-  ring.columns = {v};
+  ring.columns.reserve(1 + 2 * ring.size());  // where faces are quads
+  ring.columns.push_back(v);
   ring.columns.insert(ring.columns.end(), ring.spokes.begin(), ring.spokes.end());
+  ring.faces.reserve(topology.faces_at(v));
   topology.for_each_outgoing(v, [&](Index h) {
     const std::size_t j = ring.faces.size();
     std::vector<std::size_t>& face = ring.faces.emplace_back();
-    face = {0, 1 + j};
+    face.reserve(topology.face_degree(topology.face(h)));
+    face.push_back(0);
+    face.push_back(1 + j);
     const Index last = topology.previous(h);
     for (Index k = topology.next(topology.next(h)); k != last; k = topology.next(k)) {
       face.push_back(ring.columns.size());

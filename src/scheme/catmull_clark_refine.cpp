@@ -11,11 +11,6 @@
 namespace surpass::catmull_clark {
 namespace {
 
-void add_vertex(const VertexRows& vertices, Index v, RowTile& tile) {
-  const auto [columns, weights] = tile.add_row(vertices.length(v));
-  vertices.fill(v, columns, weights);
-}
-
 // The new point of an edge: its ends and, where it is not fully sharp, the centroids of its faces.
 void add_edge(const Topology& topology, const Sharpness& sharpness, Index e, RowTile& tile) {
   const Index h = topology.edge_halfedge(e);
@@ -64,7 +59,7 @@ Result<Mesh> CatmullClark::refinement(const Mesh& mesh, const Topology& topology
   const Index faces = edges + topology.edge_count();
   const VertexRows vertices(topology, *sharpness, refined_row, vertex_mask);
   make_rows(context, faces + topology.face_count(), sink, [&](Index i, RowTile& tile) {
-    if (i < edges) return add_vertex(vertices, i, tile);
+    if (i < edges) return vertices.add(i, tile);
     if (i < faces) return add_edge(topology, *sharpness, i - edges, tile);
     add_face(topology, i - faces, tile);
   });

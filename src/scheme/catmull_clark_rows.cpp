@@ -29,7 +29,22 @@ void VertexRows::fill(Index v, std::span<Index> columns, std::span<double> weigh
     for (double& w : weights) w /= row.sum;
     return;
   }
+  fill_special(FaceRing::around(topology_, sharpness_, v), columns, weights);
+}
+
+void VertexRows::add(Index v, RowTile& tile) const {
+  if (topology_.is_isolated(v) || sharpness_.is_plain(v)) {
+    const auto [columns, weights] = tile.add_row(length(v));
+    fill(v, columns, weights);
+    return;
+  }
   const FaceRing ring = FaceRing::around(topology_, sharpness_, v);
+  const auto [columns, weights] = tile.add_row(ring.columns.size());
+  tile.shorten_row(fill_special(ring, columns, weights));
+}
+
+std::size_t VertexRows::fill_special(const FaceRing& ring, std::span<Index> columns,
+                                     std::span<double> weights) const {
   const Mask mask = special_(ring);
   std::size_t k = 0;
   for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -37,6 +52,7 @@ void VertexRows::fill(Index v, std::span<Index> columns, std::span<double> weigh
     columns[k] = ring.columns[i];
     weights[k++] = mask[i];
   }
+  return k;
 }
 
 }  // namespace surpass::catmull_clark

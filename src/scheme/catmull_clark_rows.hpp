@@ -4,6 +4,7 @@
 #include <span>
 
 #include "scheme/catmull_clark_masks.hpp"
+#include "scheme/row_sink.hpp"
 
 namespace surpass::catmull_clark {
 
@@ -18,8 +19,14 @@ class VertexRows {
 
   [[nodiscard]] Index length(Index v) const;
   void fill(Index v, std::span<Index> columns, std::span<double> weights) const;
+  /// The same as one more row of a tile.
+  void add(Index v, RowTile& tile) const;
 
  private:
+  // Without the zeros; how many entries.
+  std::size_t fill_special(const FaceRing& ring, std::span<Index> columns,
+                           std::span<double> weights) const;
+
   const Topology& topology_;
   const Sharpness& sharpness_;
   Plain plain_;

@@ -9,6 +9,9 @@ Ring Ring::around(const Topology& topology, const Sharpness& sharpness, Index v)
   ring.center = v;
   ring.sharpness = sharpness.vertex(v);
   ring.open = topology.is_boundary(v);
+  const std::size_t most = std::size_t{topology.faces_at(v)} + 1;
+  ring.spokes.reserve(most);
+  ring.spoke_sharpness.reserve(most);
   topology.for_each_spoke(v, [&](Index w, Index e) {
     ring.spokes.push_back(w);
     ring.spoke_sharpness.push_back(sharpness.edge(topology, e));
