@@ -5,12 +5,13 @@
 #include <map>
 #include <utility>
 
+#include "interpolate/sparse_cholesky.hpp"
+
 namespace surpass {
 namespace {
 
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Products = Eigen::SparseMatrix<double>;
-using Factor = Eigen::SimplicialLDLT<Products>;
 
 constexpr double kSuspect = 1e-8;  // a squared distance
 // Keeps the decomposition going past dependent rows, whose pivots become this times the sum of
@@ -35,7 +36,7 @@ Rows picked(const Rows& rows, const std::vector<int>& which) {
 
 // The row as a sum of the independent ones.
 DependentRow expressed(const Rows& rows, int row, const std::vector<int>& independent,
-                       const Rows& basis, const Factor& factor) {
+                       const Rows& basis, const SparseCholesky& factor) {
   Eigen::VectorXd rest = Eigen::VectorXd(rows.row(row).transpose());
   DependentRow dependent{row, rest.norm(), {}};
   if (independent.empty() || dependent.distance == 0) return dependent;
@@ -93,14 +94,15 @@ void prefer_earlier(IndependentRows& found) {
 
 // Those that are nearly dependent, by the rows that are now kept: their small difference would not
 // survive that of a row from its sum.
-void express_again(const Rows& rows, Factor& factor, IndependentRows& found) {
+void express_again(const Rows& rows, const Context& context, IndependentRows& found) {
   const auto near = [](const DependentRow& d) { return d.distance > kDependent; };
   if (found.independent.empty() ||
       std::none_of(found.dependent.begin(), found.dependent.end(), near)) {
     return;
   }
   const Rows basis = picked(rows, found.independent);
-  factor.compute(products_of(basis));
+  SparseCholesky factor;
+  if (!factor.compute(products_of(basis), 0, context)) return;
   for (DependentRow& d : found.dependent) {
     if (near(d)) d = expressed(rows, d.row, found.independent, basis, factor);
   }
@@ -111,10 +113,9 @@ IndependentRows independent_among(const Rows& rows, const std::vector<int>& whic
                                   const Context& context) {
   IndependentRows found;
   const Rows some = picked(rows, which);
-  Factor factor;
-  factor.setShift(kShift);
-  factor.compute(products_of(some));
-  const Eigen::VectorXd pivots = pivots_of(factor);
+  SparseCholesky factor;
+  if (!factor.compute(products_of(some), kShift, context)) return found;
+  const Eigen::VectorXd pivots = factor.pivots();
   std::vector<int> suspects;
   for (int i = 0; i < static_cast<int>(which.size()); ++i) {
     (pivots[i] < kSuspect ? suspects : found.independent)
@@ -122,10 +123,7 @@ IndependentRows independent_among(const Rows& rows, const std::vector<int>& whic
   }
   if (suspects.empty()) return found;
   const Rows basis = picked(rows, found.independent);
-  if (!found.independent.empty()) {
-    factor.setShift(0);
-    factor.compute(products_of(basis));
-  }
+  if (!found.independent.empty() && !factor.compute(products_of(basis), 0, context)) return found;
   for (const int row : suspects) {
     if (context.cancelled()) break;
     found.dependent.push_back(expressed(rows, row, found.independent, basis, factor));
@@ -145,13 +143,6 @@ std::size_t most_independent(const Rows& rows) {
 
 }  // namespace
 
-Eigen::VectorXd pivots_of(const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>& factor) {
-  Eigen::VectorXd pivots = factor.vectorD();
-  const auto& order = factor.permutationP().indices();  // none: rows are in their own
-  for (Eigen::Index i = 0; i < order.size(); ++i) pivots[i] = factor.vectorD()[order[i]];
-  return pivots;
-}
-
 IndependentRows independent_rows(const Rows& rows, const Context& context) {
   IndependentRows found;
   const auto count = static_cast<std::size_t>(rows.rows());
@@ -167,8 +158,7 @@ IndependentRows independent_rows(const Rows& rows, const Context& context) {
   }
   std::sort(found.dependent.begin(), found.dependent.end(),
             [](const DependentRow& a, const DependentRow& b) { return a.row < b.row; });
-  Factor factor;
-  if (!context.cancelled()) express_again(rows, factor, found);
+  if (!context.cancelled()) express_again(rows, context, found);
   return found;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 namespace surpass {
 
@@ -16,10 +16,6 @@ struct DependentRow {
   double distance;
   std::vector<std::pair<int, double>> shares;  ///< of independent rows, what rounding is left out
 };
-
-/// The pivots of a decomposition, in the order of the rows: what the others before leave of each.
-[[nodiscard]] Eigen::VectorXd pivots_of(
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>& factor);
 
 /// Of this distance on a row is nearly dependent, and not dependent.
 constexpr double kDependent = 1e-9;

@@ -4,11 +4,12 @@
 #include <numeric>
 #include <set>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <fmt/format.h>
 
 #include "interpolate/independent_rows.hpp"
 #include "interpolate/requirement_places.hpp"
+#include "interpolate/sparse_cholesky.hpp"
 
 namespace surpass {
 namespace {
@@ -146,8 +147,9 @@ struct LinearConstraints::Contents {
   Rows downward;  // inverse blocks times the transpose of `free`
   Vector value;   // in the units of the solve
   Vector absolute_value;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> products;
-  Vector squares;  // the diagonal of these
+  SparseCholesky products;
+  bool decomposed = false;
+  Vector squares;  // the diagonal of the products
   std::vector<unsigned char> redundant;
   std::set<std::size_t> opposed;
 
@@ -161,18 +163,14 @@ struct LinearConstraints::Contents {
     downward = inverse * Rows(free.transpose());
     const Eigen::SparseMatrix<double> product = free * downward;
     squares = product.diagonal();
-    if (context.cancelled()) return;
-    products.analyzePattern(product);
-    if (context.cancelled()) return;
-    products.factorize(product);
+    decomposed = products.compute(product, 0, context);
   }
 
   // Whether each equation has, by what measures changes here, a thousandth or more of its length of
   // its own, that is, apart from those that were decomposed before it.
   [[nodiscard]] bool far_from_dependent() const {
     constexpr double kFar = 1e-6;  // a squared share
-    if (products.info() != Eigen::Success) return false;
-    return (pivots_of(products).array() > kFar * squares.array()).all();
+    return decomposed && (products.pivots().array() > kFar * squares.array()).all();
   }
 
   [[nodiscard]] Vector multipliers(const Vector& right) const {
@@ -309,7 +307,7 @@ class Builder {
                            system_.context);
     }
     if (system_.context.cancelled()) return cancelled();
-    if (contents_->products.info() != Eigen::Success) {
+    if (!contents_->decomposed) {
       return fail(ErrorCode::singular,
                   "the requirements are too nearly dependent to be solved for");
     }

@@ -1,0 +1,196 @@
+#include "interpolate/sparse_cholesky.hpp"
+
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace surpass {
+namespace {
+
+using Dense = Eigen::MatrixXd;
+using Block = Eigen::Ref<Dense, 0, Eigen::OuterStride<>>;
+using ConstBlock = Eigen::Map<const Dense>;
+
+bool is_pivot(double x) { return std::isfinite(x) && x != 0; }
+
+// The lower triangle becomes L below its diagonal and D on it.
+bool decompose_small(double shift, Block a) {
+  const Eigen::Index n = a.rows();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (a(k, k) == 0) a(k, k) = shift;
+    if (!is_pivot(a(k, k))) return false;
+    const Eigen::Index rest = n - k - 1;
+    for (Eigen::Index j = k + 1; j < n; ++j) {
+      a.col(j).tail(n - j) -= a(j, k) / a(k, k) * a.col(k).tail(n - j);
+    }
+    a.col(k).tail(rest) /= a(k, k);
+  }
+  return true;
+}
+
+// The same for the first `width` columns, whose part is taken from the other columns.
+bool decompose(double shift, Eigen::Index width, const Context& context, Block a) {
+  constexpr Eigen::Index kStep = 64;
+  Dense scaled;
+  for (Eigen::Index k = 0; k < width; k += kStep) {
+    if (context.cancelled()) return false;
+    const Eigen::Index step = std::min(kStep, width - k);
+    const Eigen::Index rest = a.rows() - k - step;
+    auto corner = a.block(k, k, step, step);
+    if (!decompose_small(shift, corner)) return false;
+    auto below = a.block(k + step, k, rest, step);
+    corner.triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+    scaled = below;  // L times D
+    below.array().rowwise() /= corner.diagonal().transpose().array();
+    a.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>() -= scaled * below.transpose();
+  }
+  return true;
+}
+
+// What is known of a supernode's columns, and of the further ones that it changes.
+class Fronts {
+ public:
+  Fronts(const Symmetric& matrix, double shift, const Supernodes& nodes)
+      : matrix_(matrix),
+        shift_(shift),
+        nodes_(nodes),
+        order_(nodes.place.size()),
+        local_(nodes.place.size()),
+        first_child_(at(nodes.count()), -1),
+        next_child_(at(nodes.count()), -1),
+        updates_(at(nodes.count())) {
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      order_[at(nodes.place[i])] = static_cast<int>(i);
+    }
+  }
+
+  // Its front; those of its children are used up.
+  Dense assemble(int s) {
+    const int width = nodes_.width(s);
+    const int first = nodes_.first[at(s)];
+    const auto rows = nodes_.rows(s);
+    for (int k = 0; k < width; ++k) local_[at(first + k)] = k;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      local_[at(rows[r])] = width + static_cast<int>(r);
+    }
+    const auto size = width + static_cast<Eigen::Index>(rows.size());
+    Dense front = Dense::Zero(size, size);
+    for (int k = 0; k < width; ++k) {
+      for (Symmetric::InnerIterator entry(matrix_, order_[at(first + k)]); entry; ++entry) {
+        const int i = nodes_.place[at(static_cast<int>(entry.row()))];
+        if (i >= first + k) front(local_[at(i)], k) += entry.value();
+      }
+      front(k, k) += shift_;
+    }
+    for (int child = first_child_[at(s)]; child != -1; child = next_child_[at(child)]) {
+      add(child, front);
+    }
+    return front;
+  }
+
+  // Keeps what the columns of a supernode take from others, for its parent.
+  void keep(int s, const Dense& front) {
+    const int parent = nodes_.parent[at(s)];
+    if (parent == -1) return;
+    const auto rows = static_cast<Eigen::Index>(nodes_.rows(s).size());
+    updates_[at(s)] = front.bottomRightCorner(rows, rows);
+    next_child_[at(s)] = first_child_[at(parent)];
+    first_child_[at(parent)] = s;
+  }
+
+ private:
+  void add(int child, Dense& front) {
+    const auto rows = nodes_.rows(child);
+    const Dense update = std::move(updates_[at(child)]);
+    for (std::size_t c = 0; c < rows.size(); ++c) {
+      double* const to = front.data() + front.rows() * local_[at(rows[c])];
+      const double* const from = update.data() + update.rows() * static_cast<Eigen::Index>(c);
+      for (std::size_t r = c; r < rows.size(); ++r) to[local_[at(rows[r])]] += from[r];
+    }
+  }
+
+  const Symmetric& matrix_;
+  double shift_;
+  const Supernodes& nodes_;
+  std::vector<int> order_;
+  std::vector<int> local_;  // of the columns of the front at hand, there
+  std::vector<int> first_child_;
+  std::vector<int> next_child_;
+  std::vector<Dense> updates_;
+};
+
+}  // namespace
+
+bool SparseCholesky::compute(const Symmetric& matrix, double shift, const Context& context) {
+  nodes_ = find_supernodes(matrix);
+  start_ = {0};
+  for (int s = 0; s < nodes_.count(); ++s) {
+    const std::size_t width = at(nodes_.width(s));
+    start_.push_back(start_.back() + width * (width + nodes_.rows(s).size()));
+  }
+  values_.resize(start_.back());
+  Fronts fronts(matrix, shift, nodes_);
+  for (int s = 0; s < nodes_.count(); ++s) {
+    Dense front = fronts.assemble(s);
+    const Eigen::Index width = nodes_.width(s);
+    if (!decompose(shift, width, context, front)) return false;
+    std::copy_n(front.data(), start_[at(s) + 1] - start_[at(s)], &values_[start_[at(s)]]);
+    fronts.keep(s, front);
+  }
+  return true;
+}
+
+Eigen::VectorXd SparseCholesky::pivots() const {
+  Eigen::VectorXd in_order(static_cast<Eigen::Index>(nodes_.place.size()));
+  for (int s = 0; s < nodes_.count(); ++s) {
+    const std::size_t width = at(nodes_.width(s));
+    const std::size_t length = width + nodes_.rows(s).size();
+    for (std::size_t k = 0; k < width; ++k) {
+      in_order[nodes_.first[at(s)] + static_cast<int>(k)] =
+          values_[start_[at(s)] + k * (length + 1)];
+    }
+  }
+  Eigen::VectorXd pivots(in_order.size());
+  for (Eigen::Index i = 0; i < pivots.size(); ++i) pivots[i] = in_order[nodes_.place[at(i)]];
+  return pivots;
+}
+
+Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
+  Dense x(right.rows(), right.cols());
+  for (Eigen::Index i = 0; i < x.rows(); ++i) x.row(nodes_.place[at(i)]) = right.row(i);
+  Dense below;
+  // step(the columns of a supernode, their upper part, the rows below, what x has for the columns)
+  const auto use = [&](int s, auto&& step) {
+    const auto rows = nodes_.rows(s);
+    const Eigen::Index width = nodes_.width(s);
+    const auto size = static_cast<Eigen::Index>(rows.size());
+    const ConstBlock columns(&values_[start_[at(s)]], width + size, width);
+    auto own = x.middleRows(nodes_.first[at(s)], width);
+    below.resize(size, x.cols());
+    step(columns, columns.topRows(width).triangularView<Eigen::UnitLower>(), rows, own);
+  };
+  for (int s = 0; s < nodes_.count(); ++s) {
+    use(s, [&](const auto& columns, const auto& corner, auto rows, auto& own) {
+      corner.solveInPlace(own);
+      below.noalias() = columns.bottomRows(below.rows()) * own;
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        x.row(rows[r]) -= below.row(static_cast<Eigen::Index>(r));
+      }
+    });
+  }
+  for (int s = nodes_.count() - 1; s >= 0; --s) {
+    use(s, [&](const auto& columns, const auto& corner, auto rows, auto& own) {
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        below.row(static_cast<Eigen::Index>(r)) = x.row(rows[r]);
+      }
+      own.array().colwise() /= columns.diagonal().array();
+      own.noalias() -= columns.bottomRows(below.rows()).transpose() * below;
+      corner.transpose().solveInPlace(own);
+    });
+  }
+  Dense solution(x.rows(), x.cols());
+  for (Eigen::Index i = 0; i < x.rows(); ++i) solution.row(i) = x.row(nodes_.place[at(i)]);
+  return solution;
+}
+
+}  // namespace surpass

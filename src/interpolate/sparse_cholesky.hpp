@@ -1,0 +1,35 @@
+// The decomposition of a sparse symmetric matrix.
+#pragma once
+
+#include <surpass/context.hpp>
+
+#include <vector>
+
+#include "interpolate/supernodes.hpp"
+
+namespace surpass {
+
+/// L D L', L unit lower triangular, D diagonal, by the multifrontal method: Duff, Reid, The
+/// multifrontal solution of indefinite sparse symmetric linear equations, 1983. There are no
+/// pivots but those on the diagonal. Eigen's decomposition takes columns one by one: on a million
+/// numbers in the factor they are equally fast, on 40 million ours takes a sixth of the time; and
+/// Eigen's cannot be interrupted.
+class SparseCholesky {
+ public:
+  /// Decomposes matrix + shift; both triangles are given. A pivot of 0 becomes the shift. False if
+  /// cancelled, or if a pivot is still 0, or not a number; then nothing else may be called.
+  [[nodiscard]] bool compute(const Symmetric& matrix, double shift, const Context& context);
+
+  /// Of each row, D: what the rows before it leave of its diagonal.
+  [[nodiscard]] Eigen::VectorXd pivots() const;
+
+  /// Of one or more right-hand sides, #rows by any.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+
+ private:
+  Supernodes nodes_;
+  std::vector<std::size_t> start_;  // where the columns of each supernode start
+  std::vector<double> values_;      // of L, and D on its diagonal; columns are as long as the rows
+};
+
+}  // namespace surpass

@@ -1,0 +1,195 @@
+#include "interpolate/supernodes.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/OrderingMethods>
+
+namespace surpass {
+namespace {
+
+using Numbers = std::vector<int>;
+
+// The columns in the order in which minimum degree takes them.
+Numbers by_minimum_degree(const Symmetric& matrix) {
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>()(matrix, order);
+  return {order.indices().data(), order.indices().data() + order.indices().size()};
+}
+
+Numbers inverse_of(const Numbers& order) {
+  Numbers place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[at(order[k])] = static_cast<int>(k);
+  return place;
+}
+
+// use(k, i) for the entries above the diagonal, column k after column k, of the matrix in order.
+template <class Use>
+void for_upper(const Symmetric& matrix, const Numbers& order, const Numbers& place, Use&& use) {
+  for (int k = 0; k < static_cast<int>(order.size()); ++k) {
+    for (Symmetric::InnerIterator entry(matrix, order[at(k)]); entry; ++entry) {
+      const int i = place[at(static_cast<int>(entry.row()))];
+      if (i < k) use(k, i);
+    }
+  }
+}
+
+// The elimination tree: the parent of a column is the first row below its diagonal, or -1.
+// Liu, A compact row storage scheme for Cholesky factors using elimination trees, 1986.
+Numbers elimination_tree(const Symmetric& matrix, const Numbers& order, const Numbers& place) {
+  Numbers parent(order.size(), -1);
+  Numbers ancestor(order.size(), -1);
+  for_upper(matrix, order, place, [&](int k, int i) {
+    while (i != -1 && i != k) {
+      const int next = std::exchange(ancestor[at(i)], k);
+      if (next == -1) parent[at(i)] = k;
+      i = next;
+    }
+  });
+  return parent;
+}
+
+// Columns such that each subtree is together, children before their parent.
+Numbers by_subtrees(const Numbers& parent) {
+  Numbers first_child(parent.size(), -1);
+  Numbers next_child(parent.size(), -1);
+  Numbers open;
+  for (int k = static_cast<int>(parent.size()) - 1; k >= 0; --k) {
+    if (parent[at(k)] == -1) {
+      open.push_back(k);
+    } else {
+      next_child[at(k)] = std::exchange(first_child[at(parent[at(k)])], k);
+    }
+  }
+  Numbers order;
+  order.reserve(parent.size());
+  while (!open.empty()) {
+    const int k = open.back();
+    if (const int child = first_child[at(k)]; child != -1) {
+      first_child[at(k)] = next_child[at(child)];
+      open.push_back(child);
+    } else {
+      order.push_back(k);
+      open.pop_back();
+    }
+  }
+  return order;
+}
+
+// Entries of each column of the factor, without the diagonal.
+Numbers column_counts(const Symmetric& matrix, const Numbers& order, const Numbers& place,
+                      const Numbers& parent) {
+  Numbers counts(order.size(), 0);
+  Numbers seen(order.size(), -1);
+  for_upper(matrix, order, place, [&](int k, int i) {
+    seen[at(k)] = k;
+    for (; seen[at(i)] != k; i = parent[at(i)]) {
+      seen[at(i)] = k;
+      ++counts[at(i)];
+    }
+  });
+  return counts;
+}
+
+struct Columns {
+  int first;
+  int width;
+  int below;         // rows
+  double zeros = 0;  // that joining added
+
+  [[nodiscard]] double size() const {
+    return width * (width + 1.0) / 2 + static_cast<double>(width) * below;
+  }
+};
+
+// Whether the columns before those of `last` join them. Their rows are among those of `last`.
+bool join(const Columns& before, Columns& last) {
+  constexpr int kNarrow = 16;  // so narrow matrices gain nothing from being dense
+  constexpr double kOfNarrow = 0.5;
+  constexpr double kOfWide = 0.1;
+  Columns both{before.first, before.width + last.width, last.below};
+  both.zeros = both.size() - (before.size() - before.zeros) - (last.size() - last.zeros);
+  if (both.zeros > (both.width <= kNarrow ? kOfNarrow : kOfWide) * both.size()) return false;
+  last = both;
+  return true;
+}
+
+// Columns whose rows are the same, and those that may join.
+std::vector<Columns> together(const Numbers& parent, const Numbers& counts) {
+  std::vector<Columns> found;
+  const int size = static_cast<int>(parent.size());
+  for (int k = 0; k < size;) {
+    Columns last{k, 1, counts[at(k)]};
+    while (k + last.width < size && last.below > 0) {
+      const int next = k + last.width;
+      if (parent[at(next - 1)] != next || counts[at(next)] != last.below - 1) break;
+      ++last.width;
+      --last.below;
+    }
+    k += last.width;
+    while (!found.empty() && parent[at(last.first - 1)] != -1 && parent[at(last.first - 1)] < k &&
+           join(found.back(), last)) {
+      found.pop_back();
+    }
+    found.push_back(last);
+  }
+  return found;
+}
+
+// The rows of all supernodes, from the matrix and from those that each is the parent of.
+void find_rows(const Symmetric& matrix, const Numbers& order, const Numbers& parent_column,
+               Supernodes& found) {
+  Numbers of_column(order.size());
+  for (int s = 0; s < found.count(); ++s) {
+    std::fill_n(of_column.begin() + found.first[at(s)], found.width(s), s);
+  }
+  Numbers first_child(at(found.count()), -1);
+  Numbers next_child(at(found.count()), -1);
+  Numbers seen(order.size(), -1);
+  found.start = {0};
+  for (int s = 0; s < found.count(); ++s) {
+    const int end = found.first[at(s) + 1];
+    const auto add = [&](int i) {
+      if (i >= end && std::exchange(seen[at(i)], s) != s) found.row.push_back(i);
+    };
+    for (int k = found.first[at(s)]; k < end; ++k) {
+      for (Symmetric::InnerIterator entry(matrix, order[at(k)]); entry; ++entry) {
+        add(found.place[at(static_cast<int>(entry.row()))]);
+      }
+    }
+    for (int child = first_child[at(s)]; child != -1; child = next_child[at(child)]) {
+      for (std::size_t r = found.start[at(child)]; r < found.start[at(child) + 1]; ++r) {
+        add(found.row[r]);
+      }
+    }
+    std::sort(found.row.begin() + static_cast<std::ptrdiff_t>(found.start.back()), found.row.end());
+    found.start.push_back(found.row.size());
+    const int above = parent_column[at(end - 1)];
+    if (above == -1) continue;
+    found.parent[at(s)] = of_column[at(above)];
+    next_child[at(s)] = std::exchange(first_child[at(of_column[at(above)])], s);
+  }
+}
+
+}  // namespace
+
+Supernodes find_supernodes(const Symmetric& matrix) {
+  Numbers order = by_minimum_degree(matrix);
+  Supernodes found;
+  // The tree first tells the order, then is that of the columns in this order.
+  const Numbers subtrees = by_subtrees(elimination_tree(matrix, order, inverse_of(order)));
+  Numbers ordered(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = order[at(subtrees[k])];
+  order = std::move(ordered);
+  found.place = inverse_of(order);
+  const Numbers parent = elimination_tree(matrix, order, found.place);
+  for (const Columns& c : together(parent, column_counts(matrix, order, found.place, parent))) {
+    found.first.push_back(c.first);
+  }
+  found.parent.assign(found.first.size(), -1);
+  found.first.push_back(static_cast<int>(order.size()));
+  find_rows(matrix, order, parent, found);
+  return found;
+}
+
+}  // namespace surpass
