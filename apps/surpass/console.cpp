@@ -43,7 +43,9 @@ void Console::progress(const Progress& progress) {
   last_drawn_ = now;
   std::string line = fmt::format("\r\x1b[K{} {:3.0f} %", progress.stage, 100 * progress.fraction);
   if (progress.iteration > 0) {
-    line += fmt::format(", iteration {}, error {:.2e}", progress.iteration, progress.error);
+    const bool exact = progress.residual > 0;
+    line += fmt::format(", iteration {}, {} {:.2e}", progress.iteration,
+                        exact ? "residual" : "error", exact ? progress.residual : progress.error);
   }
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);

@@ -48,7 +48,18 @@ class Interpolate : public Command {
   [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
   Result<void> write(const Mesh& control, Session& session) const;
   [[nodiscard]] Result<void> check_nonstationary() const;
+
+  /// By the non-stationary scheme: what it knows, its mesh on the limit, and what a page shows
+  /// where that is less.
+  struct Subdivided {
+    NonstationaryLoop loop;
+    Mesh surface;
+    std::optional<Mesh> shown;
+  };
   Result<void> run_nonstationary(const Mesh& given, Session& session);
+  Result<Subdivided> subdivide(const Mesh& given, Session& session);
+  Result<Verdict> verify_subdivided(const Subdivided& made, Session& session);
+  Result<void> write_subdivided(const Mesh& given, Subdivided made, Session& session);
   Result<void> write_page(Mesh given, std::vector<Point> points, const Mesh& control,
                           Session& session);
 
@@ -265,10 +276,7 @@ Result<void> Interpolate::check_nonstationary() const {
 }
 
 /// The given mesh is the control mesh: what is written is its surface.
-Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session) {
-  session.report["method"] = "nonstationary";
-  session.report["levels"] = surface_.levels();
-  if (const auto checked = check_levels(given, surface_.levels()); !checked) return checked;
+Result<Interpolate::Subdivided> Interpolate::subdivide(const Mesh& given, Session& session) {
   // A page gets what it can hold, on the way to what is written.
   const int shown_levels =
       page_.wanted() ? std::min(surface_.levels(), HtmlReport::shown_levels(given)) : 0;
@@ -281,59 +289,77 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
     shown = std::move(*limit);
   }
   if (const auto done = Nonstationary::refine(*made, surface_.levels(), session); !done) {
-    return done;
+    return tl::make_unexpected(done.error());
   }
   Result<Mesh> surface = session.timed("refine", [&] { return made->limit_mesh(session.context); });
   if (!surface) return tl::make_unexpected(surface.error());
   forget_rules(*surface);
+  return Subdivided{std::move(*made), std::move(*surface), std::move(shown)};
+}
 
-  const std::size_t n = given.points.size();
+Result<Verdict> Interpolate::verify_subdivided(const Subdivided& made, Session& session) {
   const auto verify = [&](std::span<const Point> points) {
+    const std::span<const Point> own = points.first(made.loop.aims().size());
     return session.timed("verify",
-                         [&] { return compare_points(points.first(n), made->aims(), "surpass"); });
+                         [&] { return compare_points(own, made.loop.aims(), "surpass"); });
   };
-  const Result<Certificate> exact = verify(surface->points);
+  const Result<Certificate> exact = verify(made.surface.points);
   if (!exact) return tl::make_unexpected(exact.error());
+  session.report["error"] = {{"max", exact->max}, {"mean", exact->mean}};
+  Verdict verdict{*exact, {}, {}};
+  if (output_.rounds()) {
+    const Result<Certificate> stored = verify(output_.stored(made.surface.points));
+    if (!stored) return tl::make_unexpected(stored.error());
+    session.report["error_stored"] = certificate_json(*stored);
+    verdict.stored = *stored;
+  }
+  return verdict;
+}
+
+Result<void> Interpolate::write_subdivided(const Mesh& given, Subdivided made, Session& session) {
+  if (const auto done = output_.write(made.surface, session); !done) return done;
+  if (!page_.wanted()) return {};
+  page_.add("given", "Given mesh", LayerKind::mesh, given);
+  page_.mark(given.points);
+  const auto added = page_.add_surface(
+      "surface", "Surface", made.shown ? std::move(*made.shown) : made.surface, session.context);
+  return added ? page_.write(session) : added;
+}
+
+Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session) {
+  session.report["method"] = "nonstationary";
+  session.report["levels"] = surface_.levels();
+  if (const auto checked = check_levels(given, surface_.levels()); !checked) return checked;
+  Result<Subdivided> made = subdivide(given, session);
+  if (!made) return tl::make_unexpected(made.error());
+  const Result<Verdict> verdict = verify_subdivided(*made, session);
+  if (!verdict) return tl::make_unexpected(verdict.error());
+  const Certificate& exact = verdict->exact;
   const double side = bounding_box(given.points).side();
   const double tolerance =
       floored_tolerance(options_.tolerance, flat(given.points), side > 0 ? side : 1);
-  const bool reached = exact->max <= tolerance;
+  const bool reached = exact.max <= tolerance;
   session.report["tolerance"] = tolerance;
   session.report["converged"] = reached;
-  session.report["error"] = {{"max", exact->max}, {"mean", exact->mean}};
-  std::string stored_error;
-  if (output_.rounds()) {
-    const Result<Certificate> stored = verify(output_.stored(surface->points));
-    if (!stored) return tl::make_unexpected(stored.error());
-    session.report["error_stored"] = certificate_json(*stored);
-    stored_error = fmt::format("; {:.3g} as stored", stored->max);
-  }
-  const bool written = reached || keep_best_;
-  if (written) {
+  if (reached || keep_best_) {
     session.console.note(
         "there is no other control mesh than the given one; what is written is the surface");
   }
-  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), n, kNonstationaryLoop,
-                                  nonstationary_.summary(*made)));
-  session.console.say(
-      fmt::format("error {:.3g} of the box side (mean {:.3g}){}; {} faces, {:.3g} s", exact->max,
-                  exact->mean, stored_error, surface->face_count(), session.seconds()));
-  if (written) {
-    if (const auto done = output_.write(*surface, session); !done) return done;
-    if (page_.wanted()) {
-      page_.add("given", "Given mesh", LayerKind::mesh, given);
-      page_.mark(given.points);
-      const auto added = page_.add_surface("surface", "Surface",
-                                           shown ? std::move(*shown) : *surface, session.context);
-      if (const auto done = added ? page_.write(session) : added; !done) return done;
-    }
+  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), given.vertex_count(),
+                                  kNonstationaryLoop, nonstationary_.summary(made->loop)));
+  session.console.say(fmt::format(
+      "error {:.3g} of the box side (mean {:.3g}){}; {} faces, {:.3g} s", exact.max, exact.mean,
+      verdict->stored ? fmt::format("; {:.3g} as stored", verdict->stored->max) : "",
+      made->surface.face_count(), session.seconds()));
+  if (reached || keep_best_) {
+    if (const auto done = write_subdivided(given, std::move(*made), session); !done) return done;
   }
   if (reached) return {};
   return fail(ErrorCode::not_converged,
               fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
                           "than the tolerance {:.3g}; rules that interpolate are those without "
                           "--uniform, --rule mean",
-                          exact->max, tolerance));
+                          exact.max, tolerance));
 }
 
 Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {

@@ -234,13 +234,7 @@ Result<void> Similar::prepare(Method method, const InterpolateOptions& common,
   return make_reference(given, session);
 }
 
-Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) const {
-  auto solution = session.timed("solve", [&] {
-    return solver_->solve_required(requirements_, mesh.points, reference_, mesh.channels,
-                                   session.context);
-  });
-  if (!solution) return tl::make_unexpected(solution.error());
-  const SimilarityReport& report = solution->report;
+Json Similar::report_of(const SimilarityReport& report) const {
   Json similarity = {{"form", name_of(options_.similarity)},
                      {"scaling", name_of(options_.scaling)},
                      {"scale", report.scale},
@@ -265,17 +259,30 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
       entries[i]["redundant"] = report.requirements[i].redundant;
     }
   }
-  session.report["similarity"] = std::move(similarity);
-  given = std::move(solution->targets);
+  return similarity;
+}
+
+void Similar::note_size(std::span<const Point> given, std::span<const Point> control,
+                        Session& session) const {
   constexpr double kFarOut = 100;
   const double side = bounding_box(given).side();
-  const double size = bounding_box(solution->points).side();
-  if (!requirements_.empty() && side > 0 && size > kFarOut * side) {
-    session.console.note(fmt::format(
-        "the control mesh is {:.3g} times as large as the given one: a requirement asks for "
-        "something that the surface can hardly do",
-        size / side));
-  }
+  const double size = bounding_box(control).side();
+  if (requirements_.empty() || !(side > 0) || size <= kFarOut * side) return;
+  session.console.note(
+      fmt::format("the control mesh is {:.3g} times as large as the given one: a requirement asks "
+                  "for something that the surface can hardly do",
+                  size / side));
+}
+
+Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) const {
+  auto solution = session.timed("solve", [&] {
+    return solver_->solve_required(requirements_, mesh.points, reference_, mesh.channels,
+                                   session.context);
+  });
+  if (!solution) return tl::make_unexpected(solution.error());
+  session.report["similarity"] = report_of(solution->report);
+  given = std::move(solution->targets);
+  note_size(given, solution->points, session);
   mesh = solver_->refined();
   mesh.points = std::move(solution->points);
   mesh.channels = std::move(solution->channels);

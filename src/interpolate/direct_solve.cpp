@@ -1,11 +1,11 @@
 // For blocks without a proven bound: decide by a factorisation whether there is a solution.
 #include <algorithm>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 #include <fmt/format.h>
 
 #include "interpolate/solvers.hpp"
+#include "interpolate/sparse_cholesky.hpp"
 
 namespace surpass {
 namespace {
@@ -63,9 +63,8 @@ Smallest smallest_eigenvalue(const Factors& factors, Eigen::Index size) {
 }
 
 template <class Factors>
-Result<void> require_regular(const LinearSystem& system, const Factors& factors) {
+Result<void> require_regular(const LinearSystem& system, const Factors& factors, bool factored) {
   const auto size = static_cast<Eigen::Index>(system.block.vertices.size());
-  const bool factored = factors.info() == Eigen::Success;
   const Smallest smallest = factored ? smallest_eigenvalue(factors, size) : Smallest{};
   constexpr double kZero = 1e-10;  // far above rounding, far below any eigenvalue worth solving for
   if (smallest.eigenvalue >= kZero) return {};
@@ -77,10 +76,11 @@ Result<void> require_regular(const LinearSystem& system, const Factors& factors)
 }
 
 template <class Factors>
-Result<Verdict> solve_with(const Factors& factors, const LinearSystem& system, Monitor& monitor,
-                           std::span<double> x) {
+Result<Verdict> solve_with(const Factors& factors, bool factored, const LinearSystem& system,
+                           Monitor& monitor, std::span<double> x) {
   const auto size = static_cast<Eigen::Index>(system.block.vertices.size());
-  if (auto ok = require_regular(system, factors); !ok) return tl::make_unexpected(ok.error());
+  if (auto ok = require_regular(system, factors, factored); !ok)
+    return tl::make_unexpected(ok.error());
   system.for_values([&](std::size_t at, std::size_t) { x[at] = system.target[at]; });
   std::vector<double> r(system.values(), 0.0);
   const auto width = static_cast<Eigen::Index>(system.width);
@@ -109,11 +109,14 @@ Result<Verdict> solve_with(const Factors& factors, const LinearSystem& system, M
 Result<Verdict> direct_solve(const LinearSystem& system, Monitor& monitor, std::span<double> x) {
   const Matrix matrix = block_matrix(system);
   if (system.block.symmetric) {
-    return solve_with(Eigen::SimplicialLDLT<Matrix>(matrix), system, monitor, x);
+    SparseCholesky factors;
+    const bool factored = factors.compute(matrix, 0, system.context);
+    if (system.context.cancelled()) return Verdict::cancelled;
+    return solve_with(factors, factored, system, monitor, x);
   }
   Eigen::SparseLU<Matrix> factors;
   factors.compute(matrix);
-  return solve_with(factors, system, monitor, x);
+  return solve_with(factors, factors.info() == Eigen::Success, system, monitor, x);
 }
 
 }  // namespace surpass

@@ -33,7 +33,7 @@ class FreeProgress {
     system_.context.report({.stage = "solve",
                             .fraction = fraction >= 0 ? std::min(1.0, fraction) : 0.0,
                             .iteration = outcome_.iterations,
-                            .error = residual});
+                            .residual = residual});
   }
 
   [[nodiscard]] bool reached() const { return reached_; }

@@ -11,7 +11,6 @@ namespace surpass {
 namespace {
 
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-using Products = Eigen::SparseMatrix<double>;
 
 constexpr double kSuspect = 1e-8;  // a squared distance
 // Keeps the decomposition going past dependent rows, whose pivots become this times the sum of
@@ -20,8 +19,8 @@ constexpr double kSuspect = 1e-8;  // a squared distance
 constexpr double kShift = 1e-14;
 constexpr double kNoShare = 1e-12;
 
-Products products_of(const Rows& rows) {
-  const Products columns = rows.transpose();
+Symmetric products_of(const Rows& rows) {
+  const Symmetric columns = rows.transpose();
   return rows * columns;
 }
 

@@ -160,9 +160,12 @@ struct LinearConstraints::Contents {
     free = pick * rows.free;
     value = pick * values.in_units;
     absolute_value = pick * values.absolute;
+    if (context.cancelled()) return;
     downward = inverse * Rows(free.transpose());
-    const Eigen::SparseMatrix<double> product = free * downward;
+    if (context.cancelled()) return;
+    const Symmetric product = free * downward;
     squares = product.diagonal();
+    if (context.cancelled()) return;
     decomposed = products.compute(product, 0, context);
   }
 
@@ -291,6 +294,7 @@ class Builder {
 
   Result<std::unique_ptr<Contents>> build() && {
     if (auto ok = check_fixed(); !ok) return tl::make_unexpected(ok.error());
+    if (system_.context.cancelled()) return cancelled();
     const Rows inverse = inverse_blocks(FreePreconditioner(system_, Precision::full),
                                         system_.elimination.control_count());
     // Nearly always all are independent, and then the decomposition that is needed anyway tells so.

@@ -136,6 +136,9 @@ bool SparseCholesky::compute(const Symmetric& matrix, double shift, const Contex
     if (!decompose(shift, width, context, front)) return false;
     std::copy_n(front.data(), start_[at(s) + 1] - start_[at(s)], &values_[start_[at(s)]]);
     fronts.keep(s, front);
+    context.report({.stage = "decompose",
+                    .fraction = static_cast<double>(start_[at(s) + 1]) /
+                                static_cast<double>(start_.back())});
   }
   return true;
 }

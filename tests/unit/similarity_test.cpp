@@ -117,6 +117,20 @@ TEST(Similarity, WithoutIterationsFreeVerticesAreTheReferences) {
   }
 }
 
+TEST(Similarity, ProgressTellsTheResidual) {
+  const Mesh mesh = test::jittered(test::quad_grid(9, 7));
+  std::vector<double> told;
+  const auto note = [&](const Progress& p) {
+    if (p.iteration == 0) return;
+    told.push_back(p.residual);
+    EXPECT_EQ(p.iteration, told.size());
+    EXPECT_EQ(p.error, 0);
+  };
+  const auto solver = SimilarityInterpolator::create(mesh).value();
+  const auto found = solver.solve(mesh.points, {}, {.progress = note}).value();
+  EXPECT_EQ(told, found.report.residuals);
+}
+
 // The first iteration moves all free points along one field: a step of progressive interpolation.
 TEST(Similarity, TheFirstStepIsProgressive) {
   const Mesh mesh = test::jittered(test::quad_grid(9, 7));

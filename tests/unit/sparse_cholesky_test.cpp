@@ -127,9 +127,22 @@ TEST(SparseCholesky, SaysWhereItCannotGoOn) {
   ASSERT_TRUE(shifted.compute(zero, 0.5, {}));  // [0.5 1; 1 0.5]
   EXPECT_NEAR(shifted.solve(Dense{{1.5}, {1.5}})(1), 1, 1e-15);
   EXPECT_FALSE(SparseCholesky().compute(sparse(Dense{{HUGE_VAL}}), 0, {}));
-  std::atomic<bool> cancel = true;
+}
+
+TEST(SparseCholesky, StopsHalfwayWhereItIsCancelled) {
   std::mt19937 random(6);
-  EXPECT_FALSE(SparseCholesky().compute(grid(20, random), 0, {.cancel = &cancel}));
+  std::atomic<bool> cancel = false;
+  double last = 0;
+  const Context context{.progress =
+                            [&](const Progress& p) {
+                              cancel = p.fraction > 0.5;
+                              EXPECT_GE(p.fraction, last);
+                              last = p.fraction;
+                            },
+                        .cancel = &cancel};
+  EXPECT_FALSE(SparseCholesky().compute(grid(20, random), 0, context));
+  EXPECT_GT(last, 0.5);
+  EXPECT_LT(last, 1);
 }
 
 }  // namespace
