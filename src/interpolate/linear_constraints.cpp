@@ -270,6 +270,10 @@ tl::unexpected<Error> cancelled() {
   return fail(ErrorCode::cancelled, "cancelled while setting up");
 }
 
+tl::unexpected<Error> not_decomposed() {
+  return fail(ErrorCode::singular, "the requirements are too nearly dependent to be solved for");
+}
+
 using Contents = LinearConstraints::Contents;
 
 class Builder {
@@ -311,10 +315,7 @@ class Builder {
                            system_.context);
     }
     if (system_.context.cancelled()) return cancelled();
-    if (!contents_->decomposed) {
-      return fail(ErrorCode::singular,
-                  "the requirements are too nearly dependent to be solved for");
-    }
+    if (!contents_->decomposed) return not_decomposed();
     mark_redundant();
     contents_->elimination = &system_.elimination;
     return std::move(contents_);
@@ -355,6 +356,8 @@ class Builder {
   Result<void> choose_among(const Rows& scaled) {
     found_ = independent_rows(scaled, system_.context);
     if (system_.context.cancelled()) return cancelled();
+    const std::size_t told = found_.independent.size() + found_.dependent.size();
+    if (told < static_cast<std::size_t>(scaled.rows())) return not_decomposed();
     near_ =
         nearly_dependent(scaled, found_, system_.context, [&](int row) { return is_chosen(row); });
     if (system_.context.cancelled()) return cancelled();

@@ -40,12 +40,12 @@ int open_or_throw(const std::string& path, int flags) {
     const rlimit limit = {*around.file_limit, *around.file_limit};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
-  std::vector<std::string> words = {SURPASS_EXECUTABLE};
+  std::vector<std::string> words = {around.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  ::execv(SURPASS_EXECUTABLE, pointers.data());
+  ::execv(around.program.c_str(), pointers.data());
   ::_exit(127);
 }
 

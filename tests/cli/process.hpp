@@ -23,6 +23,7 @@ struct Surroundings {
   std::string output_to = {};                    ///< the standard output goes to this file
   std::optional<unsigned long> file_limit = {};  ///< bytes that a file may have
   bool closed_pipe = false;                      ///< nobody reads the standard output
+  std::string program = SURPASS_EXECUTABLE;      ///< another one
 };
 
 /// surpass with these arguments.

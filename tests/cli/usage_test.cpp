@@ -201,5 +201,24 @@ TEST(Usage, TheVersionNamesItsComponents) {
   }
 }
 
+// OpenSubdiv is in a program beside this one.
+TEST(Usage, WithoutItsProgramTheOracleIsNotBuiltIn) {
+  const TempFolder folder;
+  const std::string alone = folder / "surpass";
+  std::filesystem::copy_file(SURPASS_EXECUTABLE, alone);
+  const std::string given = data("octahedron.obj");
+  const std::string control = folder / "c.obj";
+  ASSERT_EQ(surpass({"interpolate", given, "-o", control}).status, 0);
+  const std::vector<std::string> check = {"check", control, "--against", given, "--oracle"};
+  const Outcome refused = surpass(check, {.program = alone});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("no program surpass-oracle lies beside"), std::string::npos)
+      << refused.err;
+  EXPECT_NE(surpass({"--version"}, {.program = alone}).out.find("oracle       not built in"),
+            std::string::npos);
+  EXPECT_EQ(surpass({"check", control, "--against", given}, {.program = alone}).status, 0);
+  EXPECT_EQ(surpass(check).status == 0, is_built_in("oracle"));
+}
+
 }  // namespace
 }  // namespace surpass::test
