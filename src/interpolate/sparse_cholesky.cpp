@@ -8,13 +8,13 @@ namespace surpass {
 namespace {
 
 using Dense = Eigen::MatrixXd;
-using Block = Eigen::Ref<Dense, 0, Eigen::OuterStride<>>;
-using ConstBlock = Eigen::Map<const Dense>;
+using DenseBlock = Eigen::Ref<Dense, 0, Eigen::OuterStride<>>;
+using ConstDense = Eigen::Map<const Dense>;
 
 bool is_pivot(double x) { return std::isfinite(x) && x != 0; }
 
 // The lower triangle becomes L below its diagonal and D on it.
-bool decompose_small(double shift, Block a) {
+bool decompose_small(double shift, DenseBlock a) {
   const Eigen::Index n = a.rows();
   for (Eigen::Index k = 0; k < n; ++k) {
     if (a(k, k) == 0) a(k, k) = shift;
@@ -29,7 +29,7 @@ bool decompose_small(double shift, Block a) {
 }
 
 // The same for the first `width` columns, whose part is taken from the other columns.
-bool decompose(double shift, Eigen::Index width, const Context& context, Block a) {
+bool decompose(double shift, Eigen::Index width, const Context& context, DenseBlock a) {
   constexpr Eigen::Index kStep = 64;
   Dense scaled;
   for (Eigen::Index k = 0; k < width; k += kStep) {
@@ -56,33 +56,33 @@ class Fronts {
         nodes_(nodes),
         order_(nodes.place.size()),
         local_(nodes.place.size()),
-        first_child_(at(nodes.count()), -1),
-        next_child_(at(nodes.count()), -1),
-        updates_(at(nodes.count())) {
+        first_child_(to_size(nodes.count()), -1),
+        next_child_(to_size(nodes.count()), -1),
+        updates_(to_size(nodes.count())) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      order_[at(nodes.place[i])] = static_cast<int>(i);
+      order_[to_size(nodes.place[i])] = static_cast<int>(i);
     }
   }
 
   // Its front; those of its children are used up.
   Dense assemble(int s) {
     const int width = nodes_.width(s);
-    const int first = nodes_.first[at(s)];
+    const int first = nodes_.first[to_size(s)];
     const auto rows = nodes_.rows(s);
-    for (int k = 0; k < width; ++k) local_[at(first + k)] = k;
+    for (int k = 0; k < width; ++k) local_[to_size(first + k)] = k;
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      local_[at(rows[r])] = width + static_cast<int>(r);
+      local_[to_size(rows[r])] = width + static_cast<int>(r);
     }
     const auto size = width + static_cast<Eigen::Index>(rows.size());
     Dense front = Dense::Zero(size, size);
     for (int k = 0; k < width; ++k) {
-      for (Symmetric::InnerIterator entry(matrix_, order_[at(first + k)]); entry; ++entry) {
-        const int i = nodes_.place[at(static_cast<int>(entry.row()))];
-        if (i >= first + k) front(local_[at(i)], k) += entry.value();
+      for (Symmetric::InnerIterator entry(matrix_, order_[to_size(first + k)]); entry; ++entry) {
+        const int i = nodes_.place[to_size(static_cast<int>(entry.row()))];
+        if (i >= first + k) front(local_[to_size(i)], k) += entry.value();
       }
       front(k, k) += shift_;
     }
-    for (int child = first_child_[at(s)]; child != -1; child = next_child_[at(child)]) {
+    for (int child = first_child_[to_size(s)]; child != -1; child = next_child_[to_size(child)]) {
       add(child, front);
     }
     return front;
@@ -90,22 +90,22 @@ class Fronts {
 
   // Keeps what the columns of a supernode take from others, for its parent.
   void keep(int s, const Dense& front) {
-    const int parent = nodes_.parent[at(s)];
+    const int parent = nodes_.parent[to_size(s)];
     if (parent == -1) return;
     const auto rows = static_cast<Eigen::Index>(nodes_.rows(s).size());
-    updates_[at(s)] = front.bottomRightCorner(rows, rows);
-    next_child_[at(s)] = first_child_[at(parent)];
-    first_child_[at(parent)] = s;
+    updates_[to_size(s)] = front.bottomRightCorner(rows, rows);
+    next_child_[to_size(s)] = first_child_[to_size(parent)];
+    first_child_[to_size(parent)] = s;
   }
 
  private:
   void add(int child, Dense& front) {
     const auto rows = nodes_.rows(child);
-    const Dense update = std::move(updates_[at(child)]);
+    const Dense update = std::move(updates_[to_size(child)]);
     for (std::size_t c = 0; c < rows.size(); ++c) {
-      double* const to = front.data() + front.rows() * local_[at(rows[c])];
+      double* const to = front.data() + front.rows() * local_[to_size(rows[c])];
       const double* const from = update.data() + update.rows() * static_cast<Eigen::Index>(c);
-      for (std::size_t r = c; r < rows.size(); ++r) to[local_[at(rows[r])]] += from[r];
+      for (std::size_t r = c; r < rows.size(); ++r) to[local_[to_size(rows[r])]] += from[r];
     }
   }
 
@@ -125,7 +125,7 @@ bool SparseCholesky::compute(const Symmetric& matrix, double shift, const Contex
   nodes_ = find_supernodes(matrix);
   start_ = {0};
   for (int s = 0; s < nodes_.count(); ++s) {
-    const std::size_t width = at(nodes_.width(s));
+    const std::size_t width = to_size(nodes_.width(s));
     start_.push_back(start_.back() + width * (width + nodes_.rows(s).size()));
   }
   values_.resize(start_.back());
@@ -134,10 +134,11 @@ bool SparseCholesky::compute(const Symmetric& matrix, double shift, const Contex
     Dense front = fronts.assemble(s);
     const Eigen::Index width = nodes_.width(s);
     if (!decompose(shift, width, context, front)) return false;
-    std::copy_n(front.data(), start_[at(s) + 1] - start_[at(s)], &values_[start_[at(s)]]);
+    std::copy_n(front.data(), start_[to_size(s) + 1] - start_[to_size(s)],
+                &values_[start_[to_size(s)]]);
     fronts.keep(s, front);
     context.report({.stage = "decompose",
-                    .fraction = static_cast<double>(start_[at(s) + 1]) /
+                    .fraction = static_cast<double>(start_[to_size(s) + 1]) /
                                 static_cast<double>(start_.back())});
   }
   return true;
@@ -146,29 +147,29 @@ bool SparseCholesky::compute(const Symmetric& matrix, double shift, const Contex
 Eigen::VectorXd SparseCholesky::pivots() const {
   Eigen::VectorXd in_order(static_cast<Eigen::Index>(nodes_.place.size()));
   for (int s = 0; s < nodes_.count(); ++s) {
-    const std::size_t width = at(nodes_.width(s));
+    const std::size_t width = to_size(nodes_.width(s));
     const std::size_t length = width + nodes_.rows(s).size();
     for (std::size_t k = 0; k < width; ++k) {
-      in_order[nodes_.first[at(s)] + static_cast<int>(k)] =
-          values_[start_[at(s)] + k * (length + 1)];
+      in_order[nodes_.first[to_size(s)] + static_cast<int>(k)] =
+          values_[start_[to_size(s)] + k * (length + 1)];
     }
   }
   Eigen::VectorXd pivots(in_order.size());
-  for (Eigen::Index i = 0; i < pivots.size(); ++i) pivots[i] = in_order[nodes_.place[at(i)]];
+  for (Eigen::Index i = 0; i < pivots.size(); ++i) pivots[i] = in_order[nodes_.place[to_size(i)]];
   return pivots;
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
   Dense x(right.rows(), right.cols());
-  for (Eigen::Index i = 0; i < x.rows(); ++i) x.row(nodes_.place[at(i)]) = right.row(i);
+  for (Eigen::Index i = 0; i < x.rows(); ++i) x.row(nodes_.place[to_size(i)]) = right.row(i);
   Dense below;
   // step(the columns of a supernode, their upper part, the rows below, what x has for the columns)
   const auto use = [&](int s, auto&& step) {
     const auto rows = nodes_.rows(s);
     const Eigen::Index width = nodes_.width(s);
     const auto size = static_cast<Eigen::Index>(rows.size());
-    const ConstBlock columns(&values_[start_[at(s)]], width + size, width);
-    auto own = x.middleRows(nodes_.first[at(s)], width);
+    const ConstDense columns(&values_[start_[to_size(s)]], width + size, width);
+    auto own = x.middleRows(nodes_.first[to_size(s)], width);
     below.resize(size, x.cols());
     step(columns, columns.topRows(width).triangularView<Eigen::UnitLower>(), rows, own);
   };
@@ -192,7 +193,7 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
     });
   }
   Dense solution(x.rows(), x.cols());
-  for (Eigen::Index i = 0; i < x.rows(); ++i) solution.row(i) = x.row(nodes_.place[at(i)]);
+  for (Eigen::Index i = 0; i < x.rows(); ++i) solution.row(i) = x.row(nodes_.place[to_size(i)]);
   return solution;
 }
 

@@ -19,7 +19,7 @@ Numbers by_minimum_degree(const Symmetric& matrix) {
 
 Numbers inverse_of(const Numbers& order) {
   Numbers place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[at(order[k])] = static_cast<int>(k);
+  for (std::size_t k = 0; k < order.size(); ++k) place[to_size(order[k])] = static_cast<int>(k);
   return place;
 }
 
@@ -27,8 +27,8 @@ Numbers inverse_of(const Numbers& order) {
 template <class Use>
 void for_upper(const Symmetric& matrix, const Numbers& order, const Numbers& place, Use&& use) {
   for (int k = 0; k < static_cast<int>(order.size()); ++k) {
-    for (Symmetric::InnerIterator entry(matrix, order[at(k)]); entry; ++entry) {
-      const int i = place[at(static_cast<int>(entry.row()))];
+    for (Symmetric::InnerIterator entry(matrix, order[to_size(k)]); entry; ++entry) {
+      const int i = place[to_size(static_cast<int>(entry.row()))];
       if (i < k) use(k, i);
     }
   }
@@ -41,8 +41,8 @@ Numbers elimination_tree(const Symmetric& matrix, const Numbers& order, const Nu
   Numbers ancestor(order.size(), -1);
   for_upper(matrix, order, place, [&](int k, int i) {
     while (i != -1 && i != k) {
-      const int next = std::exchange(ancestor[at(i)], k);
-      if (next == -1) parent[at(i)] = k;
+      const int next = std::exchange(ancestor[to_size(i)], k);
+      if (next == -1) parent[to_size(i)] = k;
       i = next;
     }
   });
@@ -55,18 +55,18 @@ Numbers by_subtrees(const Numbers& parent) {
   Numbers next_child(parent.size(), -1);
   Numbers open;
   for (int k = static_cast<int>(parent.size()) - 1; k >= 0; --k) {
-    if (parent[at(k)] == -1) {
+    if (parent[to_size(k)] == -1) {
       open.push_back(k);
     } else {
-      next_child[at(k)] = std::exchange(first_child[at(parent[at(k)])], k);
+      next_child[to_size(k)] = std::exchange(first_child[to_size(parent[to_size(k)])], k);
     }
   }
   Numbers order;
   order.reserve(parent.size());
   while (!open.empty()) {
     const int k = open.back();
-    if (const int child = first_child[at(k)]; child != -1) {
-      first_child[at(k)] = next_child[at(child)];
+    if (const int child = first_child[to_size(k)]; child != -1) {
+      first_child[to_size(k)] = next_child[to_size(child)];
       open.push_back(child);
     } else {
       order.push_back(k);
@@ -82,10 +82,10 @@ Numbers column_counts(const Symmetric& matrix, const Numbers& order, const Numbe
   Numbers counts(order.size(), 0);
   Numbers seen(order.size(), -1);
   for_upper(matrix, order, place, [&](int k, int i) {
-    seen[at(k)] = k;
-    for (; seen[at(i)] != k; i = parent[at(i)]) {
-      seen[at(i)] = k;
-      ++counts[at(i)];
+    seen[to_size(k)] = k;
+    for (; seen[to_size(i)] != k; i = parent[to_size(i)]) {
+      seen[to_size(i)] = k;
+      ++counts[to_size(i)];
     }
   });
   return counts;
@@ -104,7 +104,7 @@ struct Columns {
 
 // Whether the columns before those of `last` join them. Their rows are among those of `last`.
 bool join(const Columns& before, Columns& last) {
-  constexpr int kNarrow = 16;  // so narrow matrices gain nothing from being dense
+  constexpr int kNarrow = 16;  // columns: to visit them costs more than zeros among them
   constexpr double kOfNarrow = 0.5;
   constexpr double kOfWide = 0.1;
   Columns both{before.first, before.width + last.width, last.below};
@@ -119,16 +119,16 @@ std::vector<Columns> together(const Numbers& parent, const Numbers& counts) {
   std::vector<Columns> found;
   const int size = static_cast<int>(parent.size());
   for (int k = 0; k < size;) {
-    Columns last{k, 1, counts[at(k)]};
+    Columns last{k, 1, counts[to_size(k)]};
     while (k + last.width < size && last.below > 0) {
       const int next = k + last.width;
-      if (parent[at(next - 1)] != next || counts[at(next)] != last.below - 1) break;
+      if (parent[to_size(next - 1)] != next || counts[to_size(next)] != last.below - 1) break;
       ++last.width;
       --last.below;
     }
     k += last.width;
-    while (!found.empty() && parent[at(last.first - 1)] != -1 && parent[at(last.first - 1)] < k &&
-           join(found.back(), last)) {
+    while (!found.empty() && parent[to_size(last.first - 1)] != -1 &&
+           parent[to_size(last.first - 1)] < k && join(found.back(), last)) {
       found.pop_back();
     }
     found.push_back(last);
@@ -141,33 +141,33 @@ void find_rows(const Symmetric& matrix, const Numbers& order, const Numbers& par
                Supernodes& found) {
   Numbers of_column(order.size());
   for (int s = 0; s < found.count(); ++s) {
-    std::fill_n(of_column.begin() + found.first[at(s)], found.width(s), s);
+    std::fill_n(of_column.begin() + found.first[to_size(s)], found.width(s), s);
   }
-  Numbers first_child(at(found.count()), -1);
-  Numbers next_child(at(found.count()), -1);
+  Numbers first_child(to_size(found.count()), -1);
+  Numbers next_child(to_size(found.count()), -1);
   Numbers seen(order.size(), -1);
   found.start = {0};
   for (int s = 0; s < found.count(); ++s) {
-    const int end = found.first[at(s) + 1];
+    const int end = found.first[to_size(s) + 1];
     const auto add = [&](int i) {
-      if (i >= end && std::exchange(seen[at(i)], s) != s) found.row.push_back(i);
+      if (i >= end && std::exchange(seen[to_size(i)], s) != s) found.row.push_back(i);
     };
-    for (int k = found.first[at(s)]; k < end; ++k) {
-      for (Symmetric::InnerIterator entry(matrix, order[at(k)]); entry; ++entry) {
-        add(found.place[at(static_cast<int>(entry.row()))]);
+    for (int k = found.first[to_size(s)]; k < end; ++k) {
+      for (Symmetric::InnerIterator entry(matrix, order[to_size(k)]); entry; ++entry) {
+        add(found.place[to_size(static_cast<int>(entry.row()))]);
       }
     }
-    for (int child = first_child[at(s)]; child != -1; child = next_child[at(child)]) {
-      for (std::size_t r = found.start[at(child)]; r < found.start[at(child) + 1]; ++r) {
+    for (int child = first_child[to_size(s)]; child != -1; child = next_child[to_size(child)]) {
+      for (std::size_t r = found.start[to_size(child)]; r < found.start[to_size(child) + 1]; ++r) {
         add(found.row[r]);
       }
     }
     std::sort(found.row.begin() + static_cast<std::ptrdiff_t>(found.start.back()), found.row.end());
     found.start.push_back(found.row.size());
-    const int above = parent_column[at(end - 1)];
+    const int above = parent_column[to_size(end - 1)];
     if (above == -1) continue;
-    found.parent[at(s)] = of_column[at(above)];
-    next_child[at(s)] = std::exchange(first_child[at(of_column[at(above)])], s);
+    found.parent[to_size(s)] = of_column[to_size(above)];
+    next_child[to_size(s)] = std::exchange(first_child[to_size(of_column[to_size(above)])], s);
   }
 }
 
@@ -179,7 +179,7 @@ Supernodes find_supernodes(const Symmetric& matrix) {
   // The tree first tells the order, then is that of the columns in this order.
   const Numbers subtrees = by_subtrees(elimination_tree(matrix, order, inverse_of(order)));
   Numbers ordered(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = order[at(subtrees[k])];
+  for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = order[to_size(subtrees[k])];
   order = std::move(ordered);
   found.place = inverse_of(order);
   const Numbers parent = elimination_tree(matrix, order, found.place);

@@ -14,7 +14,7 @@ namespace surpass {
 using Symmetric = Eigen::SparseMatrix<double>;
 
 /// Eigen's numbers as the standard library has them.
-[[nodiscard]] inline std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
+[[nodiscard]] inline std::size_t to_size(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
 /// Columns are numbered in the order of the decomposition.
 struct Supernodes {
@@ -25,9 +25,9 @@ struct Supernodes {
   std::vector<int> row;            ///< of each, ascending: rows below its own columns
 
   [[nodiscard]] int count() const { return static_cast<int>(parent.size()); }
-  [[nodiscard]] int width(int s) const { return first[at(s) + 1] - first[at(s)]; }
+  [[nodiscard]] int width(int s) const { return first[to_size(s) + 1] - first[to_size(s)]; }
   [[nodiscard]] std::span<const int> rows(int s) const {
-    return std::span(row).subspan(start[at(s)], start[at(s) + 1] - start[at(s)]);
+    return std::span(row).subspan(start[to_size(s)], start[to_size(s) + 1] - start[to_size(s)]);
   }
 };
 
