@@ -8,24 +8,24 @@
 namespace surpass {
 namespace {
 
-using Numbers = std::vector<int>;
+using Ints = std::vector<int>;
 
 // The columns in the order in which minimum degree takes them.
-Numbers by_minimum_degree(const Symmetric& matrix) {
+Ints by_minimum_degree(const Symmetric& matrix) {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   Eigen::AMDOrdering<int>()(matrix, order);
   return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
-Numbers inverse_of(const Numbers& order) {
-  Numbers place(order.size());
+Ints inverse_of(const Ints& order) {
+  Ints place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[to_size(order[k])] = static_cast<int>(k);
   return place;
 }
 
 // use(k, i) for the entries above the diagonal, column k after column k, of the matrix in order.
 template <class Use>
-void for_upper(const Symmetric& matrix, const Numbers& order, const Numbers& place, Use&& use) {
+void for_upper(const Symmetric& matrix, const Ints& order, const Ints& place, Use&& use) {
   for (int k = 0; k < static_cast<int>(order.size()); ++k) {
     for (Symmetric::InnerIterator entry(matrix, order[to_size(k)]); entry; ++entry) {
       const int i = place[to_size(static_cast<int>(entry.row()))];
@@ -36,9 +36,9 @@ void for_upper(const Symmetric& matrix, const Numbers& order, const Numbers& pla
 
 // The elimination tree: the parent of a column is the first row below its diagonal, or -1.
 // Liu, A compact row storage scheme for Cholesky factors using elimination trees, 1986.
-Numbers elimination_tree(const Symmetric& matrix, const Numbers& order, const Numbers& place) {
-  Numbers parent(order.size(), -1);
-  Numbers ancestor(order.size(), -1);
+Ints elimination_tree(const Symmetric& matrix, const Ints& order, const Ints& place) {
+  Ints parent(order.size(), -1);
+  Ints ancestor(order.size(), -1);
   for_upper(matrix, order, place, [&](int k, int i) {
     while (i != -1 && i != k) {
       const int next = std::exchange(ancestor[to_size(i)], k);
@@ -50,10 +50,10 @@ Numbers elimination_tree(const Symmetric& matrix, const Numbers& order, const Nu
 }
 
 // Columns such that each subtree is together, children before their parent.
-Numbers by_subtrees(const Numbers& parent) {
-  Numbers first_child(parent.size(), -1);
-  Numbers next_child(parent.size(), -1);
-  Numbers open;
+Ints by_subtrees(const Ints& parent) {
+  Ints first_child(parent.size(), -1);
+  Ints next_child(parent.size(), -1);
+  Ints open;
   for (int k = static_cast<int>(parent.size()) - 1; k >= 0; --k) {
     if (parent[to_size(k)] == -1) {
       open.push_back(k);
@@ -61,7 +61,7 @@ Numbers by_subtrees(const Numbers& parent) {
       next_child[to_size(k)] = std::exchange(first_child[to_size(parent[to_size(k)])], k);
     }
   }
-  Numbers order;
+  Ints order;
   order.reserve(parent.size());
   while (!open.empty()) {
     const int k = open.back();
@@ -77,10 +77,10 @@ Numbers by_subtrees(const Numbers& parent) {
 }
 
 // Entries of each column of the factor, without the diagonal.
-Numbers column_counts(const Symmetric& matrix, const Numbers& order, const Numbers& place,
-                      const Numbers& parent) {
-  Numbers counts(order.size(), 0);
-  Numbers seen(order.size(), -1);
+Ints column_counts(const Symmetric& matrix, const Ints& order, const Ints& place,
+                   const Ints& parent) {
+  Ints counts(order.size(), 0);
+  Ints seen(order.size(), -1);
   for_upper(matrix, order, place, [&](int k, int i) {
     seen[to_size(k)] = k;
     for (; seen[to_size(i)] != k; i = parent[to_size(i)]) {
@@ -115,7 +115,7 @@ bool join(const Columns& before, Columns& last) {
 }
 
 // Columns whose rows are the same, and those that may join.
-std::vector<Columns> together(const Numbers& parent, const Numbers& counts) {
+std::vector<Columns> together(const Ints& parent, const Ints& counts) {
   std::vector<Columns> found;
   const int size = static_cast<int>(parent.size());
   for (int k = 0; k < size;) {
@@ -137,15 +137,15 @@ std::vector<Columns> together(const Numbers& parent, const Numbers& counts) {
 }
 
 // The rows of all supernodes, from the matrix and from those that each is the parent of.
-void find_rows(const Symmetric& matrix, const Numbers& order, const Numbers& parent_column,
+void find_rows(const Symmetric& matrix, const Ints& order, const Ints& parent_column,
                Supernodes& found) {
-  Numbers of_column(order.size());
+  Ints of_column(order.size());
   for (int s = 0; s < found.count(); ++s) {
     std::fill_n(of_column.begin() + found.first[to_size(s)], found.width(s), s);
   }
-  Numbers first_child(to_size(found.count()), -1);
-  Numbers next_child(to_size(found.count()), -1);
-  Numbers seen(order.size(), -1);
+  Ints first_child(to_size(found.count()), -1);
+  Ints next_child(to_size(found.count()), -1);
+  Ints seen(order.size(), -1);
   found.start = {0};
   for (int s = 0; s < found.count(); ++s) {
     const int end = found.first[to_size(s) + 1];
@@ -174,15 +174,15 @@ void find_rows(const Symmetric& matrix, const Numbers& order, const Numbers& par
 }  // namespace
 
 Supernodes find_supernodes(const Symmetric& matrix) {
-  Numbers order = by_minimum_degree(matrix);
+  Ints order = by_minimum_degree(matrix);
   Supernodes found;
   // The tree first tells the order, then is that of the columns in this order.
-  const Numbers subtrees = by_subtrees(elimination_tree(matrix, order, inverse_of(order)));
-  Numbers ordered(order.size());
+  const Ints subtrees = by_subtrees(elimination_tree(matrix, order, inverse_of(order)));
+  Ints ordered(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = order[to_size(subtrees[k])];
   order = std::move(ordered);
   found.place = inverse_of(order);
-  const Numbers parent = elimination_tree(matrix, order, found.place);
+  const Ints parent = elimination_tree(matrix, order, found.place);
   for (const Columns& c : together(parent, column_counts(matrix, order, found.place, parent))) {
     found.first.push_back(c.first);
   }
