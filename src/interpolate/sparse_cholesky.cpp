@@ -38,6 +38,7 @@ bool decompose(double shift, Eigen::Index width, const Context& context, DenseBl
     const Eigen::Index rest = a.rows() - k - step;
     auto corner = a.block(k, k, step, step);
     if (!decompose_small(shift, corner)) return false;
+    if (rest == 0) break;
     auto below = a.block(k + step, k, rest, step);
     corner.triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
     scaled = below;  // L times D
@@ -176,6 +177,7 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
   for (int s = 0; s < nodes_.count(); ++s) {
     use(s, [&](const auto& columns, const auto& corner, auto rows, auto& own) {
       corner.solveInPlace(own);
+      if (rows.empty()) return;
       below.noalias() = columns.bottomRows(below.rows()) * own;
       for (std::size_t r = 0; r < rows.size(); ++r) {
         x.row(rows[r]) -= below.row(static_cast<Eigen::Index>(r));
@@ -188,7 +190,7 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
         below.row(static_cast<Eigen::Index>(r)) = x.row(rows[r]);
       }
       own.array().colwise() /= columns.diagonal().array();
-      own.noalias() -= columns.bottomRows(below.rows()).transpose() * below;
+      if (!rows.empty()) own.noalias() -= columns.bottomRows(below.rows()).transpose() * below;
       corner.transpose().solveInPlace(own);
     });
   }
