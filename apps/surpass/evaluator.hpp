@@ -1,9 +1,14 @@
-// Certificates by OpenSubdiv's evaluator, for commands. It takes longer to load than a small mesh to
-// interpolate, so there are two programs of the same commands: `surpass`, linked with no_oracle.cpp,
-// becomes `surpass-oracle`, linked with oracle.cpp, where it is asked for OpenSubdiv.
+// Certificates by OpenSubdiv's evaluator, for commands. It takes longer to load than a small mesh
+// to interpolate, so there are two programs of the same commands: `surpass`, linked with
+// no_oracle.cpp, becomes `surpass-oracle`, linked with oracle.cpp, where it is asked for
+// OpenSubdiv.
 #pragma once
 
 #include <surpass/quality.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "options.hpp"
 #include "session.hpp"
@@ -24,9 +29,10 @@ void add_oracle(Options& options, bool& oracle);
                                                     std::span<const Point> given,
                                                     const Rules& rules);
 
-/// What follows `surpass` is for the program that has OpenSubdiv: becomes it, where this is not the
-/// one. Returns where it is, or where there is no such program beside this one.
-void become_oracle_if_asked(const std::vector<std::string>& words);
+/// Where what follows `surpass` is for the program that has OpenSubdiv, and this is not the one:
+/// becomes it. Returns where there is no such program beside this one; an exit code where there is
+/// one that cannot be started, and then has said so.
+std::optional<int> become_oracle_if_asked(const std::vector<std::string>& words);
 
 [[nodiscard]] Json certificate_json(const Certificate& certificate);
 

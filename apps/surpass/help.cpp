@@ -2,11 +2,11 @@
 
 #include <surpass/version.hpp>
 
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "evaluator.hpp"
 #include "other_program.hpp"
-
-#include <fmt/format.h>
 
 namespace surpass::cli {
 

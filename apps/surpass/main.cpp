@@ -31,7 +31,7 @@ int run(Words words) {
     console.error("name a command; see surpass --help");
     return exit_status(ErrorCode::invalid_argument);
   }
-  become_oracle_if_asked(words);
+  if (const auto status = become_oracle_if_asked(words)) return *status;
   std::string first = words.front();
   words.erase(words.begin());
   if (first == "--version") return print_out(version_text(), console);

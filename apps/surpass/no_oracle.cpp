@@ -1,5 +1,6 @@
 // The program `surpass`: OpenSubdiv is in another, or not built in.
 #include <algorithm>
+#include <cerrno>
 
 #include "evaluator.hpp"
 #include "other_program.hpp"
@@ -20,11 +21,17 @@ Result<Certificate> certify_by_oracle(const Mesh& /*control*/, std::span<const P
   return tl::make_unexpected(check_oracle(true, rules).error());
 }
 
-void become_oracle_if_asked(const std::vector<std::string>& words) {
-  const auto asks = [](const std::string& word) { return word == "--oracle"; };
+std::optional<int> become_oracle_if_asked(const std::vector<std::string>& words) {
+  constexpr char kName[] = "surpass-oracle";
+  const auto asks = [](const std::string& word) {
+    return word == "--oracle" || word.starts_with("--oracle=");
+  };
   // OpenSubdiv's version is known to the program that has it.
   const bool asked = words.front() == "--version" || std::any_of(words.begin(), words.end(), asks);
-  if (asked) become_program_beside("surpass-oracle", words);
+  if (!asked) return std::nullopt;
+  become_program_beside(kName, words);
+  if (errno == ENOENT) return std::nullopt;
+  return tell_not_started(kName);
 }
 
 }  // namespace surpass::cli

@@ -19,6 +19,8 @@ Result<Certificate> certify_by_oracle(const Mesh& control, std::span<const Point
   return certify_with_opensubdiv(control, given, rules);
 }
 
-void become_oracle_if_asked(const std::vector<std::string>& /*words*/) {}
+std::optional<int> become_oracle_if_asked(const std::vector<std::string>& /*words*/) {
+  return std::nullopt;
+}
 
 }  // namespace surpass::cli

@@ -38,6 +38,11 @@ class ArgumentList {
 
 }  // namespace
 
+int tell_not_started(const std::string& name) {
+  Console().error(fmt::format("{} cannot be started: {}", name, std::strerror(errno)));
+  return exit_status(ErrorCode::not_built_in);
+}
+
 bool has_other_program(const CommandEntry& entry) {
   const std::string name = fmt::format("surpass-{}", entry.name);
   const auto is_there = [](const fs::path& path) { return access(path.c_str(), X_OK) == 0; };
@@ -51,17 +56,20 @@ bool has_other_program(const CommandEntry& entry) {
 }
 
 void become_program_beside(const std::string& name, const std::vector<std::string>& words) {
-  execv(beside_this_program(name).c_str(), ArgumentList(name, words).pointers());
+  const fs::path program = beside_this_program(name);
+  std::error_code absent;
+  if (fs::equivalent(program, "/proc/self/exe", absent)) {
+    errno = ENOENT;  // this program under that name: there is no other
+    return;
+  }
+  execv(program.c_str(), ArgumentList(name, words).pointers());
 }
 
 int run_other_program(const CommandEntry& entry, const std::vector<std::string>& words) {
   const std::string name = fmt::format("surpass-{}", entry.name);
   become_program_beside(name, words);
   execvp(name.c_str(), ArgumentList(name, words).pointers());
-  if (errno != ENOENT) {
-    Console().error(fmt::format("{} cannot be started: {}", name, std::strerror(errno)));
-    return exit_status(ErrorCode::not_built_in);
-  }
+  if (errno != ENOENT) return tell_not_started(name);
   Console().error(
       fmt::format("'{}' is a program of its own, {}, which is neither beside surpass nor on the "
                   "PATH; it is built with {}",

@@ -101,7 +101,10 @@ void express_again(const Rows& rows, const Context& context, IndependentRows& fo
   }
   const Rows basis = picked(rows, found.independent);
   SparseCholesky factor;
-  if (!factor.compute(products_of(basis), 0, context)) return;
+  if (!factor.compute(products_of(basis), 0, context)) {
+    found = {};
+    return;
+  }
   for (DependentRow& d : found.dependent) {
     if (near(d)) d = expressed(rows, d.row, found.independent, basis, factor);
   }

@@ -20,7 +20,7 @@ struct DependentRow {
 /// Of this distance on a row is nearly dependent, and not dependent.
 constexpr double kDependent = 1e-9;
 
-/// Lists are cut short where the context was cancelled.
+/// Lists are cut short where the context was cancelled, or where rows could not be decomposed.
 struct IndependentRows {
   std::vector<int> independent;         ///< ascending
   std::vector<DependentRow> dependent;  ///< ascending

@@ -1,5 +1,6 @@
 #include "interpolate/sparse_cholesky.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -48,7 +49,8 @@ bool decompose(double shift, Eigen::Index width, const Context& context, DenseBl
   return true;
 }
 
-// What is known of a supernode's columns, and of the further ones that it changes.
+// Of each supernode what the matrix and the supernodes before say of its columns, and what these
+// change of the columns of its rows. There is one from the first supernode that adds to it.
 class Fronts {
  public:
   Fronts(const Symmetric& matrix, double shift, const Supernodes& nodes)
@@ -56,68 +58,62 @@ class Fronts {
         shift_(shift),
         nodes_(nodes),
         order_(nodes.place.size()),
-        local_(nodes.place.size()),
-        first_child_(to_size(nodes.count()), -1),
-        next_child_(to_size(nodes.count()), -1),
-        updates_(to_size(nodes.count())) {
+        fronts_(to_size(nodes.count())) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       order_[to_size(nodes.place[i])] = static_cast<int>(i);
     }
   }
 
-  // Its front; those of its children are used up.
-  Dense assemble(int s) {
-    const int width = nodes_.width(s);
-    const int first = nodes_.first[to_size(s)];
-    const auto rows = nodes_.rows(s);
-    for (int k = 0; k < width; ++k) local_[to_size(first + k)] = k;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      local_[to_size(rows[r])] = width + static_cast<int>(r);
-    }
-    const auto size = width + static_cast<Eigen::Index>(rows.size());
-    Dense front = Dense::Zero(size, size);
-    for (int k = 0; k < width; ++k) {
-      for (Symmetric::InnerIterator entry(matrix_, order_[to_size(first + k)]); entry; ++entry) {
-        const int i = nodes_.place[to_size(static_cast<int>(entry.row()))];
-        if (i >= first + k) front(local_[to_size(i)], k) += entry.value();
-      }
-      front(k, k) += shift_;
-    }
-    for (int child = first_child_[to_size(s)]; child != -1; child = next_child_[to_size(child)]) {
-      add(child, front);
-    }
-    return front;
-  }
+  Dense take(int s) { return std::move(begun(s)); }
 
-  // Keeps what the columns of a supernode take from others, for its parent.
-  void keep(int s, const Dense& front) {
+  /// What the columns of a supernode take from others goes to its parent.
+  void pass_on(int s, const Dense& front) {
     const int parent = nodes_.parent[to_size(s)];
     if (parent == -1) return;
-    const auto rows = static_cast<Eigen::Index>(nodes_.rows(s).size());
-    updates_[to_size(s)] = front.bottomRightCorner(rows, rows);
-    next_child_[to_size(s)] = first_child_[to_size(parent)];
-    first_child_[to_size(parent)] = s;
+    Dense& to = begun(parent);
+    const auto rows = nodes_.rows(s);
+    std::vector<Eigen::Index> there;
+    for (const int row : rows) there.push_back(number(parent, row));
+    for (std::size_t c = 0; c < rows.size(); ++c) {
+      const auto own = nodes_.width(s) + static_cast<Eigen::Index>(c);
+      const double* const from = &front(own, own);
+      double* const column = to.data() + to.rows() * there[c];
+      for (std::size_t r = c; r < rows.size(); ++r) column[there[r]] += from[r - c];
+    }
   }
 
  private:
-  void add(int child, Dense& front) {
-    const auto rows = nodes_.rows(child);
-    const Dense update = std::move(updates_[to_size(child)]);
-    for (std::size_t c = 0; c < rows.size(); ++c) {
-      double* const to = front.data() + front.rows() * local_[to_size(rows[c])];
-      const double* const from = update.data() + update.rows() * static_cast<Eigen::Index>(c);
-      for (std::size_t r = c; r < rows.size(); ++r) to[local_[to_size(rows[r])]] += from[r];
+  // Of a column among those of a supernode's front.
+  [[nodiscard]] Eigen::Index number(int s, int column) const {
+    const int width = nodes_.width(s);
+    const int from_first = column - nodes_.first[to_size(s)];
+    if (from_first < width) return from_first;
+    const auto rows = nodes_.rows(s);
+    return width + (std::lower_bound(rows.begin(), rows.end(), column) - rows.begin());
+  }
+
+  Dense& begun(int s) {
+    Dense& front = fronts_[to_size(s)];
+    if (front.size() > 0) return front;
+    const int width = nodes_.width(s);
+    const int first = nodes_.first[to_size(s)];
+    const auto size = width + static_cast<Eigen::Index>(nodes_.rows(s).size());
+    front.setZero(size, size);
+    for (int k = 0; k < width; ++k) {
+      for (Symmetric::InnerIterator entry(matrix_, order_[to_size(first + k)]); entry; ++entry) {
+        const int i = nodes_.place[to_size(entry.row())];
+        if (i >= first + k) front(number(s, i), k) += entry.value();
+      }
+      front(k, k) += shift_;
     }
+    return front;
   }
 
   const Symmetric& matrix_;
   double shift_;
   const Supernodes& nodes_;
   std::vector<int> order_;
-  std::vector<int> local_;  // of the columns of the front at hand, there
-  std::vector<int> first_child_;
-  std::vector<int> next_child_;
-  std::vector<Dense> updates_;
+  std::vector<Dense> fronts_;
 };
 
 }  // namespace
@@ -132,12 +128,12 @@ bool SparseCholesky::compute(const Symmetric& matrix, double shift, const Contex
   values_.resize(start_.back());
   Fronts fronts(matrix, shift, nodes_);
   for (int s = 0; s < nodes_.count(); ++s) {
-    Dense front = fronts.assemble(s);
+    Dense front = fronts.take(s);
     const Eigen::Index width = nodes_.width(s);
     if (!decompose(shift, width, context, front)) return false;
     std::copy_n(front.data(), start_[to_size(s) + 1] - start_[to_size(s)],
                 &values_[start_[to_size(s)]]);
-    fronts.keep(s, front);
+    fronts.pass_on(s, front);
     context.report({.stage = "decompose",
                     .fraction = static_cast<double>(start_[to_size(s) + 1]) /
                                 static_cast<double>(start_.back())});

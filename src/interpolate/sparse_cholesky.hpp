@@ -11,9 +11,10 @@ namespace surpass {
 
 /// L D L', L unit lower triangular, D diagonal, by the multifrontal method: Duff, Reid, The
 /// multifrontal solution of indefinite sparse symmetric linear equations, 1983. There are no
-/// pivots but those on the diagonal. Eigen's decomposition takes columns one by one: on a million
-/// numbers in the factor they are equally fast, on 40 million ours takes a sixth of the time; and
-/// Eigen's cannot be interrupted.
+/// pivots but those on the diagonal. Beside Eigen's, which takes columns one by one and cannot be
+/// interrupted, on the equations of normals at all vertices of a mesh: 0.09 s in the place of 0.17
+/// at 1.6 million numbers in the factor, 5.4 s in the place of 40 at 43 million. Where supernodes
+/// are tiny - a chain, a diagonal - Eigen's is two to thirty times as fast.
 class SparseCholesky {
  public:
   /// Decomposes matrix + shift; both triangles are given. A pivot of 0 becomes the shift. False if

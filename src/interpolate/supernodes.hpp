@@ -10,7 +10,7 @@
 
 namespace surpass {
 
-/// Both triangles are there.
+/// Both triangles are there, with entries at the same places.
 using Symmetric = Eigen::SparseMatrix<double>;
 
 /// Eigen's numbers as the standard library has them.

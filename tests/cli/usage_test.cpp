@@ -218,6 +218,20 @@ TEST(Usage, WithoutItsProgramTheOracleIsNotBuiltIn) {
             std::string::npos);
   EXPECT_EQ(surpass({"check", control, "--against", given}, {.program = alone}).status, 0);
   EXPECT_EQ(surpass(check).status == 0, is_built_in("oracle"));
+  EXPECT_EQ(surpass({"check", control, "--against", given, "--oracle=true"}).status == 0,
+            is_built_in("oracle"));
+  // This program itself under that name, and something that is no program.
+  const std::string other = folder / "surpass-oracle";
+  std::filesystem::create_symlink(alone, other);
+  EXPECT_EQ(surpass(check, {.program = alone}).err, refused.err);
+  std::filesystem::remove(other);
+  std::filesystem::copy_file(SURPASS_EXECUTABLE, other);
+  EXPECT_EQ(surpass(check, {.program = other}).err, refused.err);
+  std::filesystem::remove(other);
+  folder.file("surpass-oracle", "nothing");
+  const Outcome broken = surpass(check, {.program = alone});
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_NE(broken.err.find("surpass-oracle cannot be started"), std::string::npos) << broken.err;
 }
 
 }  // namespace
