@@ -157,6 +157,7 @@ Eigen::VectorXd SparseCholesky::pivots() const {
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
+  if (right.size() == 0) return right;
   Dense x(right.rows(), right.cols());
   for (Eigen::Index i = 0; i < x.rows(); ++i) x.row(nodes_.place[to_size(i)]) = right.row(i);
   Dense below;
