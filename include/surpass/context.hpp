@@ -13,7 +13,7 @@ struct Progress {
   std::string_view stage;       ///< "topology", "solve", ...
   double fraction = 0;          ///< done, 0 to 1; an estimate while iterating
   std::uint64_t iteration = 0;  ///< 0 outside iterations
-  double error = 0;  ///< while iterating: the largest one now, relative to the box side
+  double error = 0;             ///< while iterating: the largest one now, relative to the box side
   /// Instead, of methods that interpolate from the start (SimilarityInterpolator): the length of
   /// what is to vanish, relative to that at the start.
   double residual = 0;

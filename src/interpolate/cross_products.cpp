@@ -204,19 +204,18 @@ std::vector<Real> CrossProducts::diagonal_in(const Context& context) const {
         const auto points = room_for<LaneVectors<Real>>(most_columns_);
         const auto sums = room_for<LaneBlock<Real>>(most_columns_);
         const auto places = room_for<LaneVectors<Real>>(most_places_);
-        layout_.for_groups<kLanes<Real>>(
-            chunk, [&](Index number, const LocalIndex* local, std::size_t lanes) {
-              const CrossKind& kind = kinds_[number];
-              gather_points(local, kind.columns, lanes, reference, points.get());
-              diagonal_of_patches(kind, laws_in<Real>(number), points.get(), sums.get(),
-                                  places.get());
-              for (std::size_t l = 0; l < lanes; ++l) {
-                for (std::size_t c = 0; c < kind.columns; ++c) {
-                  Real* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
-                  for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
-                }
-              }
-            });
+        layout_.for_groups<kLanes<Real>>(chunk, [&](Index number, const LocalIndex* local,
+                                                    std::size_t lanes) {
+          const CrossKind& kind = kinds_[number];
+          gather_points(local, kind.columns, lanes, reference, points.get());
+          diagonal_of_patches(kind, laws_in<Real>(number), points.get(), sums.get(), places.get());
+          for (std::size_t l = 0; l < lanes; ++l) {
+            for (std::size_t c = 0; c < kind.columns; ++c) {
+              Real* to = values.data() + std::size_t{6} * local[l * kind.columns + c];
+              for (std::size_t k = 0; k < 6; ++k) to[k] += sums[c].of[k][l];
+            }
+          }
+        });
         return 0;
       });
   return sum;
