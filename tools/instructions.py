@@ -36,7 +36,7 @@ def jobs(folder):
 
 def count(surpass, arguments):
     """Instructions of one run."""
-    threads = [] if arguments == ["--help"] else ["--threads", "1", "--quiet"]
+    threads = [] if arguments == ["--version"] else ["--threads", "1", "--quiet"]
     run = subprocess.run(
         ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", surpass]
         + [str(a) for a in arguments] + threads, capture_output=True, text=True, check=False)
@@ -48,7 +48,7 @@ def count(surpass, arguments):
 
 def measure(surpass):
     """Thousands of instructions by job, less those of the start."""
-    start = count(surpass, ["--help"])
+    start = count(surpass, ["--version"])
     with tempfile.TemporaryDirectory() as folder:
         return {name: (count(surpass, arguments) - start) // 1000
                 for name, arguments in jobs(pathlib.Path(folder)).items()}

@@ -18,7 +18,7 @@ namespace surpass::cli {
 /// --oracle.
 void add_oracle(Options& options, bool& oracle);
 
-/// "OpenSubdiv 3.5.0", or "not built in".
+/// "OpenSubdiv 3.5.0", the name of the program that has it, or "not built in".
 [[nodiscard]] std::string oracle_version();
 
 /// Fails early where --oracle cannot be served: not built in, or a rule that OpenSubdiv lacks.

@@ -7,7 +7,11 @@
 
 namespace surpass::cli {
 
-std::string oracle_version() { return "not built in"; }
+namespace {
+constexpr char kOracle[] = "surpass-oracle";
+}  // namespace
+
+std::string oracle_version() { return is_beside(kOracle) ? kOracle : "not built in"; }
 
 Result<void> check_oracle(bool oracle, const Rules& /*rules*/) {
   if (!oracle) return {};
@@ -22,16 +26,13 @@ Result<Certificate> certify_by_oracle(const Mesh& /*control*/, std::span<const P
 }
 
 std::optional<int> become_oracle_if_asked(const std::vector<std::string>& words) {
-  constexpr char kName[] = "surpass-oracle";
   const auto asks = [](const std::string& word) {
     return word == "--oracle" || word.starts_with("--oracle=");
   };
-  // OpenSubdiv's version is known to the program that has it.
-  const bool asked = words.front() == "--version" || std::any_of(words.begin(), words.end(), asks);
-  if (!asked) return std::nullopt;
-  become_program_beside(kName, words);
+  if (std::none_of(words.begin(), words.end(), asks)) return std::nullopt;
+  become_program_beside(kOracle, words);
   if (errno == ENOENT) return std::nullopt;
-  return tell_not_started(kName);
+  return tell_not_started(kOracle);
 }
 
 }  // namespace surpass::cli

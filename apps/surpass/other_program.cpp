@@ -36,7 +36,20 @@ class ArgumentList {
   std::vector<char*> pointers_;
 };
 
+bool is_there(const fs::path& program) { return access(program.c_str(), X_OK) == 0; }
+
+// This program itself under that name is no other.
+bool is_this_program(const fs::path& program) {
+  std::error_code absent;
+  return fs::equivalent(program, "/proc/self/exe", absent);
+}
+
 }  // namespace
+
+bool is_beside(const std::string& name) {
+  const fs::path program = beside_this_program(name);
+  return is_there(program) && !is_this_program(program);
+}
 
 int tell_not_started(const std::string& name) {
   Console().error(fmt::format("{} cannot be started: {}", name, std::strerror(errno)));
@@ -45,7 +58,6 @@ int tell_not_started(const std::string& name) {
 
 bool has_other_program(const CommandEntry& entry) {
   const std::string name = fmt::format("surpass-{}", entry.name);
-  const auto is_there = [](const fs::path& path) { return access(path.c_str(), X_OK) == 0; };
   if (is_there(beside_this_program(name))) return true;
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
@@ -57,9 +69,8 @@ bool has_other_program(const CommandEntry& entry) {
 
 void become_program_beside(const std::string& name, const std::vector<std::string>& words) {
   const fs::path program = beside_this_program(name);
-  std::error_code absent;
-  if (fs::equivalent(program, "/proc/self/exe", absent)) {
-    errno = ENOENT;  // this program under that name: there is no other
+  if (is_this_program(program)) {
+    errno = ENOENT;
     return;
   }
   execv(program.c_str(), ArgumentList(name, words).pointers());

@@ -25,6 +25,9 @@ int run_other_program(const CommandEntry& entry, const std::vector<std::string>&
 /// Returns only where that is not possible; `errno` says why.
 void become_program_beside(const std::string& name, const std::vector<std::string>& words);
 
+/// Whether another program of this name lies beside this one, and may be started.
+[[nodiscard]] bool is_beside(const std::string& name);
+
 /// Says why, by `errno`; an exit code.
 int tell_not_started(const std::string& name);
 
