@@ -275,7 +275,6 @@ Result<void> Interpolate::check_nonstationary() const {
   return similar_.check(method_, rules_);
 }
 
-/// The given mesh is the control mesh: what is written is its surface.
 Result<Interpolate::Subdivided> Interpolate::subdivide(const Mesh& given, Session& session) {
   // A page gets what it can hold, on the way to what is written.
   const int shown_levels =
@@ -326,6 +325,7 @@ Result<void> Interpolate::write_subdivided(const Mesh& given, Subdivided made, S
   return added ? page_.write(session) : added;
 }
 
+/// The given mesh is the control mesh: what is written is its surface.
 Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session) {
   session.report["method"] = "nonstationary";
   session.report["levels"] = surface_.levels();
@@ -341,7 +341,8 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
   const bool reached = exact.max <= tolerance;
   session.report["tolerance"] = tolerance;
   session.report["converged"] = reached;
-  if (reached || keep_best_) {
+  const bool written = reached || keep_best_;
+  if (written) {
     session.console.note(
         "there is no other control mesh than the given one; what is written is the surface");
   }
@@ -351,7 +352,7 @@ Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session)
       "error {:.3g} of the box side (mean {:.3g}){}; {} faces, {:.3g} s", exact.max, exact.mean,
       verdict->stored ? fmt::format("; {:.3g} as stored", verdict->stored->max) : "",
       made->surface.face_count(), session.seconds()));
-  if (reached || keep_best_) {
+  if (written) {
     if (const auto done = write_subdivided(given, std::move(*made), session); !done) return done;
   }
   if (reached) return {};

@@ -54,15 +54,7 @@ bool decompose(double shift, Eigen::Index width, const Context& context, DenseBl
 class Fronts {
  public:
   Fronts(const Symmetric& matrix, double shift, const Supernodes& nodes)
-      : matrix_(matrix),
-        shift_(shift),
-        nodes_(nodes),
-        order_(nodes.place.size()),
-        fronts_(to_size(nodes.count())) {
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      order_[to_size(nodes.place[i])] = static_cast<int>(i);
-    }
-  }
+      : matrix_(matrix), shift_(shift), nodes_(nodes), fronts_(to_size(nodes.count())) {}
 
   Dense take(int s) { return std::move(begun(s)); }
 
@@ -100,7 +92,8 @@ class Fronts {
     const auto size = width + static_cast<Eigen::Index>(nodes_.rows(s).size());
     front.setZero(size, size);
     for (int k = 0; k < width; ++k) {
-      for (Symmetric::InnerIterator entry(matrix_, order_[to_size(first + k)]); entry; ++entry) {
+      for (Symmetric::InnerIterator entry(matrix_, nodes_.order[to_size(first + k)]); entry;
+           ++entry) {
         const int i = nodes_.place[to_size(entry.row())];
         if (i >= first + k) front(number(s, i), k) += entry.value();
       }
@@ -112,7 +105,6 @@ class Fronts {
   const Symmetric& matrix_;
   double shift_;
   const Supernodes& nodes_;
-  std::vector<int> order_;
   std::vector<Dense> fronts_;
 };
 

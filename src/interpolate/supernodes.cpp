@@ -28,7 +28,7 @@ template <class Use>
 void for_upper(const Symmetric& matrix, const Ints& order, const Ints& place, Use&& use) {
   for (int k = 0; k < static_cast<int>(order.size()); ++k) {
     for (Symmetric::InnerIterator entry(matrix, order[to_size(k)]); entry; ++entry) {
-      const int i = place[to_size(static_cast<int>(entry.row()))];
+      const int i = place[to_size(entry.row())];
       if (i < k) use(k, i);
     }
   }
@@ -137,15 +137,14 @@ std::vector<Columns> together(const Ints& parent, const Ints& counts) {
 }
 
 // The rows of all supernodes, from the matrix and from those that each is the parent of.
-void find_rows(const Symmetric& matrix, const Ints& order, const Ints& parent_column,
-               Supernodes& found) {
-  Ints of_column(order.size());
+void find_rows(const Symmetric& matrix, const Ints& parent_column, Supernodes& found) {
+  Ints of_column(found.order.size());
   for (int s = 0; s < found.count(); ++s) {
     std::fill_n(of_column.begin() + found.first[to_size(s)], found.width(s), s);
   }
   Ints first_child(to_size(found.count()), -1);
   Ints next_child(to_size(found.count()), -1);
-  Ints seen(order.size(), -1);
+  Ints seen(found.order.size(), -1);
   found.start = {0};
   for (int s = 0; s < found.count(); ++s) {
     const int end = found.first[to_size(s) + 1];
@@ -153,8 +152,8 @@ void find_rows(const Symmetric& matrix, const Ints& order, const Ints& parent_co
       if (i >= end && std::exchange(seen[to_size(i)], s) != s) found.row.push_back(i);
     };
     for (int k = found.first[to_size(s)]; k < end; ++k) {
-      for (Symmetric::InnerIterator entry(matrix, order[to_size(k)]); entry; ++entry) {
-        add(found.place[to_size(static_cast<int>(entry.row()))]);
+      for (Symmetric::InnerIterator entry(matrix, found.order[to_size(k)]); entry; ++entry) {
+        add(found.place[to_size(entry.row())]);
       }
     }
     for (int child = first_child[to_size(s)]; child != -1; child = next_child[to_size(child)]) {
@@ -174,21 +173,19 @@ void find_rows(const Symmetric& matrix, const Ints& order, const Ints& parent_co
 }  // namespace
 
 Supernodes find_supernodes(const Symmetric& matrix) {
-  Ints order = by_minimum_degree(matrix);
+  const Ints least = by_minimum_degree(matrix);
   Supernodes found;
   // The tree first tells the order, then is that of the columns in this order.
-  const Ints subtrees = by_subtrees(elimination_tree(matrix, order, inverse_of(order)));
-  Ints ordered(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = order[to_size(subtrees[k])];
-  order = std::move(ordered);
-  found.place = inverse_of(order);
-  const Ints parent = elimination_tree(matrix, order, found.place);
-  for (const Columns& c : together(parent, column_counts(matrix, order, found.place, parent))) {
-    found.first.push_back(c.first);
+  for (const int k : by_subtrees(elimination_tree(matrix, least, inverse_of(least)))) {
+    found.order.push_back(least[to_size(k)]);
   }
+  found.place = inverse_of(found.order);
+  const Ints parent = elimination_tree(matrix, found.order, found.place);
+  const Ints counts = column_counts(matrix, found.order, found.place, parent);
+  for (const Columns& c : together(parent, counts)) found.first.push_back(c.first);
   found.parent.assign(found.first.size(), -1);
-  found.first.push_back(static_cast<int>(order.size()));
-  find_rows(matrix, order, parent, found);
+  found.first.push_back(static_cast<int>(found.order.size()));
+  find_rows(matrix, parent, found);
   return found;
 }
 

@@ -18,6 +18,7 @@ using Symmetric = Eigen::SparseMatrix<double>;
 
 /// Columns are numbered in the order of the decomposition.
 struct Supernodes {
+  std::vector<int> order;   ///< the columns of the matrix, as they are numbered
   std::vector<int> place;   ///< #columns of the matrix: their numbers
   std::vector<int> first;   ///< where the columns of each supernode start; one more at the end
   std::vector<int> parent;  ///< of each: the one that needs it first, a later one, or -1
