@@ -1,10 +1,14 @@
 #include "interpolate/independent_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "interpolate/near_rows.hpp"
 #include "interpolate/sparse_cholesky.hpp"
 
 namespace surpass {
@@ -12,7 +16,9 @@ namespace {
 
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-constexpr double kSuspect = 1e-8;  // a squared distance
+// Squared distances: rows that are no closer to those before them are taken to be independent. The
+// next holds where the one before left too few digits, which is seen soon.
+constexpr std::array kSuspect = {1e-8, 1e-6, 1e-4, 1e-3, 1e-2, 3e-2, 1e-1};
 // Keeps the decomposition going past dependent rows, whose pivots become this times the sum of
 // their squared shares: far above the rounding of products, and for shares up to 1000 below what is
 // suspect.
@@ -33,57 +39,101 @@ Rows picked(const Rows& rows, const std::vector<int>& which) {
   return pick * rows;
 }
 
-// The row as a sum of the independent ones.
-DependentRow expressed(const Rows& rows, int row, const std::vector<int>& independent,
-                       const Rows& basis, const SparseCholesky& factor) {
-  Eigen::VectorXd rest = Eigen::VectorXd(rows.row(row).transpose());
-  DependentRow dependent{row, rest.norm(), {}};
-  if (independent.empty() || dependent.distance == 0) return dependent;
-  Eigen::VectorXd shares = Eigen::VectorXd::Zero(basis.rows());
-  for (int round = 0; round < 3; ++round) {  // each gives back the digits that squaring took
-    const Eigen::VectorXd more = factor.solve(Eigen::VectorXd(basis * rest));
-    shares += more;
-    rest -= basis.transpose() * more;
+// Independent rows, to express others by.
+class Basis {
+ public:
+  Basis(const Rows& rows, const std::vector<int>& independent, const Context& context)
+      : rows_(rows), independent_(independent), basis_(picked(rows, independent)) {
+    decomposed_ = independent.empty() || products_.compute(products_of(basis_), 0, context);
   }
-  dependent.distance = rest.norm();
-  const double rounding = dependent.distance > kDependent ? 0 : kNoShare;
-  for (Eigen::Index k = 0; k < shares.size(); ++k) {
-    if (std::abs(shares[k]) > rounding) {
-      dependent.shares.emplace_back(independent[static_cast<std::size_t>(k)], shares[k]);
+
+  // Nothing where the basis is itself so close to dependent that too few digits are left.
+  [[nodiscard]] std::optional<DependentRow> express(int row) const {
+    if (!decomposed_) return std::nullopt;
+    Eigen::VectorXd rest = Eigen::VectorXd(rows_.row(row).transpose());
+    DependentRow dependent{row, rest.norm(), {}};
+    if (independent_.empty() || dependent.distance == 0) return dependent;
+    const auto shares = shares_in(rest);
+    if (!shares) return std::nullopt;
+    dependent.distance = rest.norm();
+    const double rounding = dependent.distance > kDependent ? 0 : kNoShare;
+    for (Eigen::Index k = 0; k < shares->size(); ++k) {
+      const double share = (*shares)[k];
+      if (std::abs(share) > rounding) {
+        dependent.shares.emplace_back(independent_[static_cast<std::size_t>(k)], share);
+      }
     }
+    return dependent;
   }
-  return dependent;
+
+ private:
+  // Takes from the row what lies in the span.
+  [[nodiscard]] std::optional<Eigen::VectorXd> shares_in(Eigen::VectorXd& rest) const {
+    constexpr int kMostRounds = 6;  // each gives back digits that squaring took, if it gives any
+    constexpr double kSettled = 1e-13;
+    constexpr double kLarge = 100;
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(basis_.rows());
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Eigen::VectorXd more = products_.solve(Eigen::VectorXd(basis_ * rest));
+      const Eigen::VectorXd change = basis_.transpose() * more;
+      shares += more;
+      rest -= change;
+      if (!(shares.cwiseAbs().maxCoeff() <= kLarge)) return std::nullopt;
+      if (change.norm() <= kSettled) return shares;
+    }
+    return std::nullopt;
+  }
+
+  const Rows& rows_;
+  const std::vector<int>& independent_;
+  Rows basis_;
+  SparseCholesky products_;
+  bool decomposed_ = false;
+};
+
+// Of the rows in the sum, the last behind the dependent one that can change places with it.
+std::optional<std::size_t> last_behind(const DependentRow& d) {
+  constexpr double kSound = 0.5;  // as a divisor
+  std::optional<std::size_t> last;
+  for (std::size_t k = 0; k < d.shares.size(); ++k) {
+    if (d.shares[k].first < d.row || std::abs(d.shares[k].second) < kSound) continue;
+    if (!last || d.shares[k].first > d.shares[*last].first) last = k;
+  }
+  return last;
+}
+
+// The same sum, for the row whose share is the k-th.
+void change_places(DependentRow& d, std::size_t k) {
+  const double share = d.shares[k].second;
+  std::swap(d.row, d.shares[k].first);
+  for (std::size_t i = 0; i < d.shares.size(); ++i) {
+    d.shares[i].second = i == k ? 1 / share : -d.shares[i].second / share;
+  }
+}
+
+// Puts in the place of d.row, which was independent, what it is the sum of.
+void substitute(const DependentRow& d, DependentRow& other) {
+  const auto in = std::find_if(other.shares.begin(), other.shares.end(),
+                               [&](const auto& s) { return s.first == d.row; });
+  if (in == other.shares.end()) return;
+  const double factor = in->second;
+  std::map<int, double> sum(other.shares.begin(), other.shares.end());
+  sum.erase(d.row);
+  for (const auto& [basis, weight] : d.shares) sum[basis] += factor * weight;
+  other.shares.assign(sum.begin(), sum.end());
 }
 
 // Where a dependent row can change places with a later one of its sum, it does: of rows that repeat
 // each other, the first is to be kept.
 void prefer_earlier(IndependentRows& found) {
-  constexpr double kSound = 1e-3;  // as a divisor
-  for (std::size_t at = 0; at < found.dependent.size(); ++at) {
-    DependentRow& d = found.dependent[at];
+  for (DependentRow& d : found.dependent) {
     if (d.distance > kDependent) continue;  // it is kept anyway
-    std::size_t latest = d.shares.size();
-    for (std::size_t k = 0; k < d.shares.size(); ++k) {
-      if (d.shares[k].first < d.row || std::abs(d.shares[k].second) < kSound) continue;
-      if (latest == d.shares.size() || d.shares[k].first > d.shares[latest].first) latest = k;
-    }
-    if (latest == d.shares.size()) continue;
-    const auto [row, share] = d.shares[latest];
-    std::replace(found.independent.begin(), found.independent.end(), row, d.row);
-    d.shares[latest].first = std::exchange(d.row, row);
-    for (std::size_t k = 0; k < d.shares.size(); ++k) {
-      d.shares[k].second = k == latest ? 1 / share : -d.shares[k].second / share;
-    }
+    const auto last = last_behind(d);
+    if (!last) continue;
+    std::replace(found.independent.begin(), found.independent.end(), d.shares[*last].first, d.row);
+    change_places(d, *last);
     for (DependentRow& other : found.dependent) {
-      if (&other == &d) continue;
-      const auto in = std::find_if(other.shares.begin(), other.shares.end(),
-                                   [&, gone = row](const auto& s) { return s.first == gone; });
-      if (in == other.shares.end()) continue;
-      const double factor = in->second;
-      std::map<int, double> sum(other.shares.begin(), other.shares.end());
-      sum.erase(row);
-      for (const auto& [basis, weight] : d.shares) sum[basis] += factor * weight;
-      other.shares.assign(sum.begin(), sum.end());
+      if (&other != &d) substitute(d, other);
     }
   }
   std::sort(found.independent.begin(), found.independent.end());
@@ -92,46 +142,78 @@ void prefer_earlier(IndependentRows& found) {
 }
 
 // Those that are nearly dependent, by the rows that are now kept: their small difference would not
-// survive that of a row from its sum.
-void express_again(const Rows& rows, const Context& context, IndependentRows& found) {
+// survive that of a row from its sum. False where it could not be done.
+bool express_again(const Rows& rows, const Context& context, IndependentRows& found) {
   const auto near = [](const DependentRow& d) { return d.distance > kDependent; };
-  if (found.independent.empty() ||
-      std::none_of(found.dependent.begin(), found.dependent.end(), near)) {
-    return;
-  }
-  const Rows basis = picked(rows, found.independent);
-  SparseCholesky factor;
-  if (!factor.compute(products_of(basis), 0, context)) {
-    found = {};
-    return;
-  }
+  if (std::none_of(found.dependent.begin(), found.dependent.end(), near)) return true;
+  const Basis basis(rows, found.independent, context);
   for (DependentRow& d : found.dependent) {
-    if (near(d)) d = expressed(rows, d.row, found.independent, basis, factor);
+    if (!near(d)) continue;
+    auto again = context.cancelled() ? std::nullopt : basis.express(d.row);
+    if (!again) return false;
+    d = std::move(*again);
   }
+  return true;
 }
 
-// Those among `which`, ascending. Of dependent ones the shares are of independent ones there.
-IndependentRows independent_among(const Rows& rows, const std::vector<int>& which,
-                                  const Context& context) {
-  IndependentRows found;
-  const Rows some = picked(rows, which);
-  SparseCholesky factor;
-  if (!factor.compute(products_of(some), kShift, context)) return found;
-  const Eigen::VectorXd pivots = factor.pivots();
-  std::vector<int> suspects;
-  for (int i = 0; i < static_cast<int>(which.size()); ++i) {
-    (pivots[i] < kSuspect ? suspects : found.independent)
-        .push_back(which[static_cast<std::size_t>(i)]);
-  }
-  if (suspects.empty()) return found;
-  const Rows basis = picked(rows, found.independent);
-  if (!found.independent.empty() && !factor.compute(products_of(basis), 0, context)) return found;
+// False where that was not possible, or was not needed.
+bool express_all(const Rows& rows, const std::vector<int>& suspects, const RowChoice& choice,
+                 const Context& context, IndependentRows& found) {
+  const Basis basis(rows, found.independent, context);
   for (const int row : suspects) {
-    if (context.cancelled()) break;
-    found.dependent.push_back(expressed(rows, row, found.independent, basis, factor));
+    auto dependent = context.cancelled() ? std::nullopt : basis.express(row);
+    if (!dependent) return false;
+    found.dependent.push_back(*dependent);
+    if (dependent->distance > kDependent) continue;
+    if (const auto last = last_behind(*dependent)) change_places(*dependent, *last);
+    if (choice.suffices(*dependent)) return false;
   }
   prefer_earlier(found);
-  return found;
+  return express_again(rows, context, found);
+}
+
+// Of those that are nearly dependent the ones with something of their own are kept.
+bool keep_near(const Rows& rows, const RowChoice& choice, const Context& context,
+               IndependentRows& found) {
+  const auto first = std::stable_partition(
+      found.dependent.begin(), found.dependent.end(), [&](const DependentRow& d) {
+        return d.distance <= kDependent || choice.is_dispensable(d.row);
+      });
+  const std::vector<DependentRow> near(first, found.dependent.end());
+  found.dependent.erase(first, found.dependent.end());
+  NearRows parts = near_rows(rows, near, context);
+  found.near = std::move(parts.kept);
+  for (DependentRow& d : parts.dropped) {
+    if (choice.suffices(d)) return false;
+    found.dependent.push_back(std::move(d));
+  }
+  return !context.cancelled();
+}
+
+// Those among `which`, ascending.
+std::optional<IndependentRows> independent_among(const Rows& rows, const std::vector<int>& which,
+                                                 const RowChoice& choice, const Context& context) {
+  const Rows some = picked(rows, which);
+  SparseCholesky factor;
+  if (!factor.compute(products_of(some), kShift, context)) return std::nullopt;
+  const Eigen::VectorXd pivots = factor.pivots();
+  bool stopped = false;
+  const RowChoice heard{[&](const DependentRow& d) { return stopped = choice.suffices(d); },
+                        choice.is_dispensable};
+  for (const double least : kSuspect) {
+    IndependentRows found;
+    std::vector<int> suspects;
+    for (int i = 0; i < static_cast<int>(which.size()); ++i) {
+      (pivots[i] < least ? suspects : found.independent)
+          .push_back(which[static_cast<std::size_t>(i)]);
+    }
+    if (express_all(rows, suspects, heard, context, found)) {
+      if (!keep_near(rows, heard, context, found)) break;
+      return found;
+    }
+    if (stopped || context.cancelled()) break;
+  }
+  return std::nullopt;
 }
 
 // As many rows as can be independent of each other.
@@ -145,22 +227,25 @@ std::size_t most_independent(const Rows& rows) {
 
 }  // namespace
 
-IndependentRows independent_rows(const Rows& rows, const Context& context) {
+std::optional<IndependentRows> independent_rows(const Rows& rows, const RowChoice& choice,
+                                                const Context& context) {
   IndependentRows found;
   const auto count = static_cast<std::size_t>(rows.rows());
   const std::size_t part = std::max<std::size_t>(1, most_independent(rows));
-  for (std::size_t begin = 0; begin < count && !context.cancelled(); begin += part) {
+  for (std::size_t begin = 0; begin < count; begin += part) {
     std::vector<int> which = found.independent;
+    for (const DependentRow& d : found.near) which.push_back(d.row);
+    std::sort(which.begin(), which.end());
     for (std::size_t i = begin; i < std::min(count, begin + part); ++i) {
       which.push_back(static_cast<int>(i));
     }
-    IndependentRows more = independent_among(rows, which, context);
-    found.independent = std::move(more.independent);
-    found.dependent.insert(found.dependent.end(), more.dependent.begin(), more.dependent.end());
+    auto more = independent_among(rows, which, choice, context);
+    if (!more) return std::nullopt;
+    std::move(found.dependent.begin(), found.dependent.end(), std::back_inserter(more->dependent));
+    found = std::move(*more);
   }
   std::sort(found.dependent.begin(), found.dependent.end(),
             [](const DependentRow& a, const DependentRow& b) { return a.row < b.row; });
-  if (!context.cancelled()) express_again(rows, context, found);
   return found;
 }
 

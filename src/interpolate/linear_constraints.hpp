@@ -7,9 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "interpolate/elimination.hpp"
+#include "interpolate/free_equations.hpp"
 #include "interpolate/free_preconditioner.hpp"
-#include "interpolate/requirement_rows.hpp"
 
 namespace surpass {
 
@@ -17,24 +16,18 @@ namespace surpass {
 class LinearConstraints {
  public:
   struct Contents;  // for its own file
-  /// `origin` and `scale` take control points p to (p - origin) * scale, the units of the solve.
-  struct Units {
-    Point origin;
-    double scale;
-    double side = 1;  ///< of the given points' box, which what is missed is relative to
-  };
 
   /// Fails with `contradictory` if equations contradict each other or the given vertices, naming
   /// the requirements; with `not_finite` if values are too large to be computed with; with
   /// `singular` where only rounding tells equations apart; with `cancelled`. Of those that nearly
   /// depend on others only what they have of their own is solved for, at full length; of chosen
   /// ones nothing. `targets` are those of the given vertices in the units, #given by 3. Cost: a
-  /// sparse Cholesky decomposition of the equations' products; three where some depend on others,
-  /// or nearly. The elimination must outlive it.
-  static Result<LinearConstraints> build(const RequirementRows& equations,
+  /// sparse Cholesky decomposition of the equations' products, and that of independent_rows() where
+  /// some depend on others, or nearly. The elimination must outlive it.
+  static Result<LinearConstraints> build(const RequirementRows& rows,
                                          std::span<const Requirement> requirements,
                                          const FreeSystem& system, std::span<const double> targets,
-                                         const Units& units);
+                                         const ConstraintUnits& units);
   LinearConstraints(LinearConstraints&&) noexcept;
   LinearConstraints& operator=(LinearConstraints&&) noexcept;
   LinearConstraints(const LinearConstraints&) = delete;

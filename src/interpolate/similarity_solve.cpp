@@ -184,7 +184,7 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
                                                         std::span<const double> given,
                                                         const Units& units) {
   if (wanted.equations == nullptr || wanted.equations->rows.empty()) return std::nullopt;
-  const LinearConstraints::Units own{
+  const ConstraintUnits own{
       {units.centre[0], units.centre[1], units.centre[2]}, units.scale, units.side};
   auto built = LinearConstraints::build(*wanted.equations, wanted.requirements, system, given, own);
   if (!built) return tl::make_unexpected(built.error());

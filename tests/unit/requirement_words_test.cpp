@@ -110,45 +110,6 @@ TEST_F(RequirementWords, MissesAreToldInBoxSides) {
               1e-2 / side);
 }
 
-// The cube refined once has 26 control points: most of so many positions can neither be chosen nor
-// follow from others. Those of a surface that exists do follow.
-TEST(RequirementCounts, MoreThanThereAreNumbersToChoose) {
-  const Mesh cube = test::cube();
-  const auto solver = SimilarityInterpolator::create(cube).value();
-  Mesh control = solver.refined();
-  control.points = solver.solve(cube.points).value().points;
-  control.points[20][0] += 0.1;  // a surface of its own, but through the same vertices
-  const auto meets = solver.limit_positions(control.points).value();
-  const LimitSurface surface = LimitSurface::create(control, SimilarityOptions{}.rules).value();
-  std::vector<Requirement> all;
-  for (Index v = 0; v < 8; ++v) all.push_back(test::at_vertex(Kind::position, v, meets[v]));
-  constexpr int kSide = 3;
-  for (Index corner = 0; corner < cube.corner_count(); ++corner) {
-    for (int i = 0; i < kSide * kSide; ++i) {
-      const double u = (i % kSide + 0.5) / kSide;
-      const double v = (i / kSide + 0.5) / kSide;
-      const SurfaceSample s = surface.evaluate({corner, u, v}).value();
-      all.push_back(test::on_face(Kind::position, {corner / 4, u, v, corner % 4}, s.position));
-    }
-  }
-  ASSERT_GT(all.size(), 2 * control.points.size());
-  const auto found = solver.solve_required(all, cube.points);
-  ASSERT_TRUE(found) << describe(found.error());
-  EXPECT_LT(test::max_distance(found->points, control.points), 1e-9);
-  for (const RequirementOutcome& outcome : found->report.requirements) {
-    EXPECT_LT(outcome.error, 1e-10);
-  }
-  std::vector<Requirement> many;
-  for (int k = 0; k < 4000; ++k) {
-    const auto at = [&](double step) { return std::fmod(0.5 + step * k, 1.0); };
-    const SurfacePlace place{static_cast<Index>(k % 6), at(0.754877), at(0.569840)};
-    many.push_back(test::on_face(Kind::position, place, {at(0.618), at(0.382), at(0.236)}));
-  }
-  const auto refused = solver.solve_required(many, cube.points);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
-}
-
 // Two directions along one line meet their equations, and leave a spike.
 TEST_F(RequirementWords, SurfacesWithoutATangentPlaneAreNoted) {
   const Index v = mesh_.face(6)[0];

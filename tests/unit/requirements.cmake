@@ -1,2 +1,2 @@
-surpass_test(unit_requirements SOURCES requirements_test.cpp requirement_tangents_test.cpp
+surpass_test(unit_requirements SOURCES many_requirements_test.cpp requirements_test.cpp requirement_tangents_test.cpp
              requirement_words_test.cpp LABELS unit)

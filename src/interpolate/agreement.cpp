@@ -1,0 +1,170 @@
+#include "interpolate/agreement.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "interpolate/requirement_places.hpp"
+
+namespace surpass {
+namespace {
+
+// Relative to the box side: equations that are dropped must hold to this.
+constexpr double kHolds = kRequirementTolerance;
+// In the units of the solve; squares of larger numbers may overflow.
+constexpr double kFarthest = 1e100;
+
+// `amount`: in units of the box side.
+tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t last, double amount,
+                                    std::span<const Requirement> requirements) {
+  numbers.insert(last);
+  const std::vector<std::size_t> all(numbers.begin(), numbers.end());
+  const std::string what =
+      all.size() == 1
+          ? fmt::format("requirement {} contradicts itself or the given vertices",
+                        names_of(all, requirements))
+          : fmt::format("requirements contradict each other: {}", names_of(all, requirements));
+  const Requirement& r = requirements[last];
+  const bool at_vertex = all.size() == 1 && r.kind == Requirement::Kind::position &&
+                         r.vertex == kNone && corner_at(r.place) != kNone;
+  return fail(ErrorCode::contradictory,
+              fmt::format("{}; together they miss by {:.3g} of the box side{}", what, amount,
+                          at_vertex ? "; a given vertex lies there, which a position at the vertex "
+                                      "moves"
+                                    : ""),
+              place_of(r));
+}
+
+}  // namespace
+
+Agreement::Agreement(const FreeEquations& equations, const RequirementRows& rows,
+                     std::span<const Requirement> requirements, const FreeSystem& system,
+                     std::span<const double> targets, const ConstraintUnits& units)
+    : equations_(equations),
+      rows_(rows),
+      requirements_(requirements),
+      system_(system),
+      side_(units.side * units.scale) {
+  std::vector<double> fixed(system.size(), 0.0);
+  system.elimination.meet(system.context, 3, targets, fixed);
+  missed_ = equations.in_units -
+            equations.all * Eigen::Map<const Eigen::VectorXd>(
+                                fixed.data(), static_cast<Eigen::Index>(fixed.size()));
+}
+
+void Agreement::take_all() {
+  found_ = {};
+  found_.independent.resize(rows_.rows.size());
+  std::iota(found_.independent.begin(), found_.independent.end(), 0);
+}
+
+Result<void> Agreement::check_fixed() const {
+  for (Eigen::Index i = 0; i < equations_.factor.size(); ++i) {
+    const double missed = std::abs(missed_[i]) / side_;
+    const int row = static_cast<int>(i);
+    if (!(std::abs(equations_.in_units[i]) <= kFarthest)) {
+      const std::size_t number = requirement_of(row);
+      return refuse_requirement(requirements_[number], number,
+                                "its numbers are so large beside the given mesh that nothing can "
+                                "be computed with both",
+                                ErrorCode::not_finite);
+    }
+    if (equations_.factor[i] == 0 && !is_chosen(row) && missed > kHolds) {
+      return contradiction({}, requirement_of(row), missed, requirements_);
+    }
+  }
+  return {};
+}
+
+Result<void> Agreement::choose() {
+  const FreeEquations::Rows scaled = equations_.factor.asDiagonal() * equations_.free;
+  std::optional<DependentRow> impossible;
+  const RowChoice choice{[&](const DependentRow& d) {
+                           if (surely_contradicts(d)) impossible = d;
+                           return impossible.has_value();
+                         },
+                         [&](int row) { return is_chosen(row); }};
+  auto found = independent_rows(scaled, choice, system_.context);
+  if (system_.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
+  if (impossible) return contradicts(*impossible);
+  if (!found) return not_told_apart();
+  found_ = std::move(*found);
+  for (const DependentRow& d : found_.dependent) {
+    if (auto ok = check_dependent(d); !ok) return ok;
+  }
+  return {};
+}
+
+// By how much of the box side it is missed where those hold that it is a sum of.
+double Agreement::missed_by(const DependentRow& d) const {
+  const auto wanted = [&](int row) { return equations_.factor[row] * missed_[row]; };
+  double rest = wanted(d.row);
+  for (const auto& [other, share] : d.shares) rest -= share * wanted(other);
+  return std::abs(rest) / equations_.factor[d.row] / side_;
+}
+
+// Whether it is missed even if all others are, too, by as much as is allowed.
+bool Agreement::surely_contradicts(const DependentRow& d) const {
+  if (equations_.factor[d.row] == 0 || is_chosen(d.row)) return false;
+  double allowed = 1;
+  for (const auto& [other, share] : d.shares) {
+    allowed += std::abs(share) * equations_.factor[other] / equations_.factor[d.row];
+  }
+  return missed_by(d) > allowed * kHolds;
+}
+
+Result<void> Agreement::check_dependent(const DependentRow& d) {
+  if (equations_.factor[d.row] == 0 || missed_by(d) <= kHolds) return {};
+  if (!is_chosen(d.row)) return contradicts(d);
+  opposed_.merge(partners(d));
+  return {};
+}
+
+std::set<std::size_t> Agreement::partners(const DependentRow& d) const {
+  constexpr double kMatters = 1e-6;
+  std::set<std::size_t> others;
+  for (const auto& [other, share] : d.shares) {
+    if (std::abs(share) > kMatters) others.insert(requirement_of(other));
+  }
+  return others;
+}
+
+tl::unexpected<Error> Agreement::contradicts(const DependentRow& d) const {
+  return contradiction(partners(d), requirement_of(d.row), missed_by(d), requirements_);
+}
+
+FreeEquations::Rows Agreement::picked_rows() const {
+  const Eigen::VectorXd& factor = equations_.factor;
+  std::vector<Eigen::Triplet<double>> picked;
+  int place = 0;
+  for (const int row : found_.independent) picked.emplace_back(place++, row, factor[row]);
+  for (const DependentRow& d : found_.near) {
+    picked.emplace_back(place, d.row, factor[d.row] / d.distance);
+    for (const auto& [other, share] : d.shares) {
+      picked.emplace_back(place, other, -share / d.distance * factor[other]);
+    }
+    ++place;
+  }
+  FreeEquations::Rows pick(place, factor.size());
+  pick.setFromTriplets(picked.begin(), picked.end());
+  return pick;
+}
+
+std::vector<unsigned char> Agreement::redundant() const {
+  std::vector<unsigned char> redundant(requirements_.size(), 0);
+  for (const RequirementRow& row : rows_.rows) redundant[row.requirement] = 1;
+  const auto is_needed = [&](int row) {
+    if (!is_chosen(row)) redundant[requirement_of(row)] = 0;
+  };
+  for (const int row : found_.independent) is_needed(row);
+  for (const DependentRow& d : found_.near) is_needed(d.row);
+  return redundant;
+}
+
+tl::unexpected<Error> not_told_apart() {
+  return fail(ErrorCode::singular, "the requirements are too nearly dependent to be solved for");
+}
+
+}  // namespace surpass

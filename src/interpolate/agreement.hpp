@@ -1,0 +1,70 @@
+// Whether equations agree with each other and with the given vertices, and which of them say it
+// all.
+#pragma once
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "interpolate/free_equations.hpp"
+#include "interpolate/free_system.hpp"
+#include "interpolate/independent_rows.hpp"
+
+namespace surpass {
+
+/// Of the requirements' equations. All that is passed must outlive it.
+class Agreement {
+ public:
+  /// `targets`: of the given vertices in the units of the solve, #given by 3.
+  Agreement(const FreeEquations& equations, const RequirementRows& rows,
+            std::span<const Requirement> requirements, const FreeSystem& system,
+            std::span<const double> targets, const ConstraintUnits& units);
+
+  /// Fails with `not_finite` if values are too large to be computed with, and with `contradictory`
+  /// if an equation of which free points say nothing does not hold.
+  [[nodiscard]] Result<void> check_fixed() const;
+
+  /// Takes it that none depends on others, which is nearly always so.
+  void take_all();
+
+  /// Finds those that do not, once it is sure that the others agree with them. Fails as
+  /// LinearConstraints::build does. The cost is that of independent_rows().
+  [[nodiscard]] Result<void> choose();
+
+  /// The equations to solve for, as sums of all. What a nearly dependent one has of its own takes
+  /// its place, at full length.
+  [[nodiscard]] FreeEquations::Rows picked_rows() const;
+
+  /// #requirements: 1 where none of its equations was taken.
+  [[nodiscard]] std::vector<unsigned char> redundant() const;
+
+  /// Requirements whose equations left no room to chosen ones (RequirementRow::chosen).
+  [[nodiscard]] const std::set<std::size_t>& opposed() const { return opposed_; }
+
+ private:
+  [[nodiscard]] std::size_t requirement_of(int row) const {
+    return rows_.rows[static_cast<std::size_t>(row)].requirement;
+  }
+  [[nodiscard]] bool is_chosen(int row) const {
+    return rows_.rows[static_cast<std::size_t>(row)].chosen;
+  }
+  [[nodiscard]] double missed_by(const DependentRow& d) const;
+  [[nodiscard]] bool surely_contradicts(const DependentRow& d) const;
+  [[nodiscard]] Result<void> check_dependent(const DependentRow& d);
+  [[nodiscard]] std::set<std::size_t> partners(const DependentRow& d) const;
+  [[nodiscard]] tl::unexpected<Error> contradicts(const DependentRow& d) const;
+
+  const FreeEquations& equations_;
+  const RequirementRows& rows_;
+  std::span<const Requirement> requirements_;
+  const FreeSystem& system_;
+  double side_;             // of the box, in the units of the solve
+  Eigen::VectorXd missed_;  // by each, in the units of the solve, where all free points are 0
+  IndependentRows found_;
+  std::set<std::size_t> opposed_;
+};
+
+/// `singular`, for equations that only rounding tells apart.
+[[nodiscard]] tl::unexpected<Error> not_told_apart();
+
+}  // namespace surpass

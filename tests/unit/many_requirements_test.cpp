@@ -1,0 +1,113 @@
+// Requirements that lie so densely that most follow from the others, or nearly.
+#include <surpass/similarity.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.hpp"
+#include "support/polygons.hpp"
+#include "support/requirements.hpp"
+
+namespace surpass {
+namespace {
+
+using Kind = Requirement::Kind;
+
+// The cube refined once has 26 control points, of which the eight given vertices take eight: a
+// position on a surface that exists follows from 18 others. On the quarter of a face 14 of them
+// have a say, and one vertex takes one.
+class ManyRequirements : public testing::Test {
+ protected:
+  static constexpr std::size_t kFreeOnTheCube = 18;
+  static constexpr std::size_t kFreeOnAQuarter = 13;
+
+  void SetUp() override {
+    control_ = solver_.refined();
+    control_.points = solver_.solve(test::cube().points).value().points;
+    control_.points[20][0] += 0.1;  // a surface of its own
+    given_ = solver_.limit_positions(control_.points).value();
+  }
+
+  // What the surface has at n x n places on each of the first quarters; those of a face follow each
+  // other.
+  [[nodiscard]] std::vector<Requirement> on_quarters(Kind kind, Index quarters, int n) const {
+    const LimitSurface surface = LimitSurface::create(control_, SimilarityOptions{}.rules).value();
+    std::vector<Requirement> all;
+    for (Index corner = 0; corner < quarters; ++corner) {
+      for (int i = 0; i < n * n; ++i) {
+        const double u = (i % n + 0.5) / n;
+        const double v = (i / n + 0.5) / n;
+        const SurfaceSample s = surface.evaluate({corner, u, v}).value();
+        const Point& value = kind == Kind::position ? s.position
+                             : kind == Kind::normal ? s.normal
+                                                    : s.du;
+        all.push_back(test::on_face(kind, {corner / 4, u, v, corner % 4}, value));
+      }
+    }
+    return all;
+  }
+
+  // How many are not redundant, once all are met.
+  [[nodiscard]] std::size_t needed(const std::vector<Requirement>& all) const {
+    const auto found = solver_.solve_required(all, given_);
+    EXPECT_TRUE(found) << describe(found.error());
+    if (!found) return 0;
+    std::size_t count = 0;
+    for (const RequirementOutcome& outcome : found->report.requirements) {
+      EXPECT_LT(outcome.error, 1e-11);
+      count += outcome.redundant ? 0 : 1;
+    }
+    return count;
+  }
+
+  SimilarityInterpolator solver_ = SimilarityInterpolator::create(test::cube()).value();
+  Mesh control_;
+  std::vector<Point> given_;
+};
+
+TEST_F(ManyRequirements, AreAsManyAsThereIsFreedomFor) {
+  for (const int n : {5, 8, 12, 20}) {
+    SCOPED_TRACE(n);
+    EXPECT_EQ(needed(on_quarters(Kind::position, 1, n)), kFreeOnAQuarter);
+    // A derivative does not see where the surface is.
+    EXPECT_EQ(needed(on_quarters(Kind::derivative, 1, n)), kFreeOnAQuarter - 1);
+    // The normals are the surface's if each of 13 points may go along one direction at least.
+    EXPECT_LE(needed(on_quarters(Kind::normal, 1, n)), 3 * kFreeOnAQuarter);
+  }
+  EXPECT_EQ(needed(on_quarters(Kind::position, 24, 6)), kFreeOnTheCube);
+  EXPECT_EQ(needed(on_quarters(Kind::derivative, 24, 6)), kFreeOnTheCube);
+}
+
+TEST_F(ManyRequirements, FindTheSurfaceThatTheyAreOf) {
+  const auto found = solver_.solve_required(on_quarters(Kind::position, 24, 4), given_);
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_LT(test::max_distance(found->points, control_.points), 1e-9);
+}
+
+TEST_F(ManyRequirements, OneThatLiesElsewhereIsSeen) {
+  for (const double apart : {1e-3, 1e-6, 1e-8}) {
+    std::vector<Requirement> all = on_quarters(Kind::position, 1, 12);
+    all[77].value[1] += apart;
+    const auto refused = solver_.solve_required(all, given_);
+    ASSERT_FALSE(refused) << apart;
+    EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
+  }
+}
+
+TEST_F(ManyRequirements, ThatNoSurfaceMeetsAreRefused) {
+  std::vector<Requirement> many;
+  for (int k = 0; k < 4000; ++k) {
+    const auto at = [&](double step) { return std::fmod(0.5 + step * k, 1.0); };
+    const SurfacePlace place{static_cast<Index>(k % 6), at(0.754877), at(0.569840)};
+    many.push_back(test::on_face(Kind::position, place, {at(0.618), at(0.382), at(0.236)}));
+  }
+  const auto refused = solver_.solve_required(many, given_);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
+}
+
+}  // namespace
+}  // namespace surpass
