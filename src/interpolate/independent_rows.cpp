@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "interpolate/near_rows.hpp"
 #include "interpolate/sparse_cholesky.hpp"
@@ -109,18 +109,26 @@ void change_places(DependentRow& d, std::size_t k) {
   for (std::size_t i = 0; i < d.shares.size(); ++i) {
     d.shares[i].second = i == k ? 1 / share : -d.shares[i].second / share;
   }
+  std::sort(d.shares.begin(), d.shares.end());
 }
 
 // Puts in the place of d.row, which was independent, what it is the sum of.
 void substitute(const DependentRow& d, DependentRow& other) {
-  const auto in = std::find_if(other.shares.begin(), other.shares.end(),
-                               [&](const auto& s) { return s.first == d.row; });
-  if (in == other.shares.end()) return;
+  const auto before = [](const auto& share, int row) { return share.first < row; };
+  const auto in = std::lower_bound(other.shares.begin(), other.shares.end(), d.row, before);
+  if (in == other.shares.end() || in->first != d.row) return;
   const double factor = in->second;
-  std::map<int, double> sum(other.shares.begin(), other.shares.end());
-  sum.erase(d.row);
-  for (const auto& [basis, weight] : d.shares) sum[basis] += factor * weight;
-  other.shares.assign(sum.begin(), sum.end());
+  other.shares.erase(in);
+  std::vector<std::pair<int, double>> sum;
+  sum.reserve(other.shares.size() + d.shares.size());
+  auto own = other.shares.begin();
+  for (const auto& [row, weight] : d.shares) {
+    while (own != other.shares.end() && own->first < row) sum.push_back(*own++);
+    const bool both = own != other.shares.end() && own->first == row;
+    sum.emplace_back(row, (both ? own++->second : 0) + factor * weight);
+  }
+  sum.insert(sum.end(), own, other.shares.end());
+  other.shares = std::move(sum);
 }
 
 // Where a dependent row can change places with a later one of its sum, it does: of rows that repeat

@@ -16,7 +16,7 @@ namespace surpass {
 struct DependentRow {
   int row;
   double distance;
-  std::vector<std::pair<int, double>> shares;  ///< of kept rows, what rounding is left out
+  std::vector<std::pair<int, double>> shares;  ///< of kept rows, ascending, without rounding
 };
 
 /// Of this distance on a row is nearly dependent, and not dependent. What a surface within three

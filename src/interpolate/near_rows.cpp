@@ -18,16 +18,13 @@ constexpr double kRounding = 1e-15;  // of rows of length 1
 // What the independent rows leave of each.
 Rows remainders(const Rows& rows, std::span<const DependentRow> near) {
   std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd rest(rows.cols());
   for (std::size_t i = 0; i < near.size(); ++i) {
-    std::map<Eigen::Index, double> rest;
-    const auto add = [&](int row, double factor) {
-      for (Rows::InnerIterator k(rows, row); k; ++k) rest[k.col()] += factor * k.value();
-    };
-    add(near[i].row, 1);
-    for (const auto& [other, share] : near[i].shares) add(other, -share);
-    for (const auto& [column, w] : rest) {
-      if (std::abs(w) > kRounding) {
-        entries.emplace_back(static_cast<int>(i), static_cast<int>(column), w);
+    rest = rows.row(near[i].row).transpose();
+    for (const auto& [other, share] : near[i].shares) rest -= share * rows.row(other).transpose();
+    for (Eigen::Index k = 0; k < rest.size(); ++k) {
+      if (std::abs(rest[k]) > kRounding) {
+        entries.emplace_back(static_cast<int>(i), static_cast<int>(k), rest[k]);
       }
     }
   }
@@ -51,6 +48,7 @@ std::vector<std::vector<Eigen::Index>> connected(const Rows& rows) {
     parts[sets.find(static_cast<Index>(i))].push_back(i);
   }
   std::vector<std::vector<Eigen::Index>> lists;
+  lists.reserve(parts.size());
   for (auto& [smallest, list] : parts) lists.push_back(std::move(list));
   return lists;
 }
@@ -125,21 +123,28 @@ class GramSchmidt {
   Eigen::VectorXd open_;  // 1, or 0 where taken
 };
 
-// `which`: the numbers, in `near`, of the rows that were orthogonalised.
+// `which`: the numbers, in `near`, of the rows that were orthogonalised. `shares`: 0 for every row,
+// as it is left.
 DependentRow expressed_by(const GramSchmidt& rests, Eigen::Index at,
                           const std::vector<Eigen::Index>& which,
-                          std::span<const DependentRow> near) {
-  std::map<int, double> shares;
+                          std::span<const DependentRow> near, std::vector<double>& shares) {
+  const auto share_of = [&](int row) -> double& { return shares[static_cast<std::size_t>(row)]; };
   for (std::size_t k = 0; k < which.size(); ++k) {
     const DependentRow& other = near[static_cast<std::size_t>(which[k])];
     const double w = rests.sum(at, static_cast<Eigen::Index>(k));
     if (w == 0) continue;
-    for (const auto& [row, share] : other.shares) shares[row] += w * share;
-    if (static_cast<Eigen::Index>(k) != at) shares[other.row] -= w;
+    for (const auto& [row, share] : other.shares) share_of(row) += w * share;
+    if (static_cast<Eigen::Index>(k) != at) share_of(other.row) -= w;
   }
-  return {near[static_cast<std::size_t>(which[static_cast<std::size_t>(at)])].row,
-          rests.length(at),
-          {shares.begin(), shares.end()}};
+  DependentRow result{near[static_cast<std::size_t>(which[static_cast<std::size_t>(at)])].row,
+                      rests.length(at),
+                      {}};
+  for (std::size_t row = 0; row < shares.size(); ++row) {
+    if (shares[row] == 0) continue;
+    result.shares.emplace_back(static_cast<int>(row), shares[row]);
+    shares[row] = 0;
+  }
+  return result;
 }
 
 }  // namespace
@@ -147,13 +152,14 @@ DependentRow expressed_by(const GramSchmidt& rests, Eigen::Index at,
 NearRows near_rows(const Rows& rows, std::span<const DependentRow> near, const Context& context) {
   NearRows result;
   const Rows left = remainders(rows, near);
+  std::vector<double> shares(static_cast<std::size_t>(rows.rows()), 0.0);
   for (const std::vector<Eigen::Index>& which : connected(left)) {
     GramSchmidt rests(dense(left, which));
     std::optional<Eigen::Index> next;
     while (!context.cancelled() && (next = rests.longest())) rests.take(*next, context);
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(which.size()); ++i) {
       (rests.is_taken(i) ? result.kept : result.dropped)
-          .push_back(expressed_by(rests, i, which, near));
+          .push_back(expressed_by(rests, i, which, near, shares));
     }
   }
   return result;
