@@ -13,6 +13,8 @@ namespace {
 
 // Relative to the box side: equations that are dropped must hold to this.
 constexpr double kHolds = kRequirementTolerance;
+// In box sides: how far from the origin of the solve surfaces are taken to be.
+constexpr double kReach = 3;
 // In the units of the solve; squares of larger numbers may overflow.
 constexpr double kFarthest = 1e100;
 
@@ -105,18 +107,24 @@ double Agreement::missed_by(const DependentRow& d) const {
   return std::abs(rest) / equations_.factor[d.row] / side_;
 }
 
+// By how much it may be missed for what is left of it apart from its sum, of which it is not known
+// what the surface makes.
+double Agreement::allowed_to(const DependentRow& d) const {
+  return kHolds + kReach * d.distance / equations_.factor[d.row];
+}
+
 // Whether it is missed even if all others are, too, by as much as is allowed.
 bool Agreement::surely_contradicts(const DependentRow& d) const {
   if (equations_.factor[d.row] == 0 || is_chosen(d.row)) return false;
-  double allowed = 1;
+  double allowed = allowed_to(d);
   for (const auto& [other, share] : d.shares) {
-    allowed += std::abs(share) * equations_.factor[other] / equations_.factor[d.row];
+    allowed += std::abs(share) * equations_.factor[other] / equations_.factor[d.row] * kHolds;
   }
-  return missed_by(d) > allowed * kHolds;
+  return missed_by(d) > allowed;
 }
 
 Result<void> Agreement::check_dependent(const DependentRow& d) {
-  if (equations_.factor[d.row] == 0 || missed_by(d) <= kHolds) return {};
+  if (equations_.factor[d.row] == 0 || missed_by(d) <= allowed_to(d)) return {};
   if (!is_chosen(d.row)) return contradicts(d);
   opposed_.merge(partners(d));
   return {};

@@ -49,6 +49,7 @@ class Agreement {
     return rows_.rows[static_cast<std::size_t>(row)].chosen;
   }
   [[nodiscard]] double missed_by(const DependentRow& d) const;
+  [[nodiscard]] double allowed_to(const DependentRow& d) const;
   [[nodiscard]] bool surely_contradicts(const DependentRow& d) const;
   [[nodiscard]] Result<void> check_dependent(const DependentRow& d);
   [[nodiscard]] std::set<std::size_t> partners(const DependentRow& d) const;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -164,6 +166,16 @@ bool express_again(const Rows& rows, const Context& context, IndependentRows& fo
   return true;
 }
 
+// The dispensable rows that a row is expressed by, if it is not dispensable itself.
+std::vector<int> in_the_way(const DependentRow& d, const RowChoice& choice) {
+  std::vector<int> rows;
+  if (choice.is_dispensable(d.row)) return rows;
+  for (const auto& [row, share] : d.shares) {
+    if (std::abs(share) > kNoShare && choice.is_dispensable(row)) rows.push_back(row);
+  }
+  return rows;
+}
+
 // False where that was not possible, or was not needed.
 bool express_all(const Rows& rows, const std::vector<int>& suspects, const RowChoice& choice,
                  const Context& context, IndependentRows& found) {
@@ -206,7 +218,9 @@ std::optional<IndependentRows> independent_among(const Rows& rows, const std::ve
   if (!factor.compute(products_of(some), kShift, context)) return std::nullopt;
   const Eigen::VectorXd pivots = factor.pivots();
   bool stopped = false;
-  const RowChoice heard{[&](const DependentRow& d) { return stopped = choice.suffices(d); },
+  const RowChoice heard{[&](const DependentRow& d) {
+                          return stopped = in_the_way(d, choice).empty() && choice.suffices(d);
+                        },
                         choice.is_dispensable};
   for (const double least : kSuspect) {
     IndependentRows found;
@@ -233,26 +247,66 @@ std::size_t most_independent(const Rows& rows) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
 }
 
-}  // namespace
-
-std::optional<IndependentRows> independent_rows(const Rows& rows, const RowChoice& choice,
-                                                const Context& context) {
+// Those of `list`, ascending.
+std::optional<IndependentRows> in_parts(const Rows& rows, const std::vector<int>& list,
+                                        const RowChoice& choice, const Context& context) {
   IndependentRows found;
-  const auto count = static_cast<std::size_t>(rows.rows());
   const std::size_t part = std::max<std::size_t>(1, most_independent(rows));
-  for (std::size_t begin = 0; begin < count; begin += part) {
+  for (std::size_t begin = 0; begin < list.size(); begin += part) {
     std::vector<int> which = found.independent;
     for (const DependentRow& d : found.near) which.push_back(d.row);
     std::sort(which.begin(), which.end());
-    for (std::size_t i = begin; i < std::min(count, begin + part); ++i) {
-      which.push_back(static_cast<int>(i));
+    for (std::size_t i = begin; i < std::min(list.size(), begin + part); ++i) {
+      which.push_back(list[i]);
     }
     auto more = independent_among(rows, which, choice, context);
     if (!more) return std::nullopt;
     std::move(found.dependent.begin(), found.dependent.end(), std::back_inserter(more->dependent));
     found = std::move(*more);
   }
-  std::sort(found.dependent.begin(), found.dependent.end(),
+  return found;
+}
+
+// Dispensable rows that one which is not has been expressed by.
+std::set<int> all_in_the_way(const IndependentRows& found, const RowChoice& choice) {
+  std::set<int> rows;
+  for (const auto* list : {&found.near, &found.dependent}) {
+    for (const DependentRow& d : *list) {
+      for (const int row : in_the_way(d, choice)) rows.insert(row);
+    }
+  }
+  return rows;
+}
+
+// What the rows that were left out would have been.
+bool express_left_out(const Rows& rows, const std::vector<int>& left_out, const Context& context,
+                      IndependentRows& found) {
+  if (left_out.empty()) return true;
+  const Basis basis(rows, found.independent, context);
+  for (const int row : left_out) {
+    auto dependent = context.cancelled() ? std::nullopt : basis.express(row);
+    if (!dependent) return false;
+    found.dependent.push_back(std::move(*dependent));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<IndependentRows> independent_rows(const Rows& rows, const RowChoice& choice,
+                                                const Context& context) {
+  std::vector<int> list(static_cast<std::size_t>(rows.rows()));
+  std::iota(list.begin(), list.end(), 0);
+  std::vector<int> left_out;
+  std::optional<IndependentRows> found;
+  while ((found = in_parts(rows, list, choice, context))) {
+    const std::set<int> obstacles = all_in_the_way(*found, choice);
+    if (obstacles.empty()) break;
+    left_out.insert(left_out.end(), obstacles.begin(), obstacles.end());
+    std::erase_if(list, [&](int row) { return obstacles.count(row) != 0; });
+  }
+  if (!found || !express_left_out(rows, left_out, context, *found)) return std::nullopt;
+  std::sort(found->dependent.begin(), found->dependent.end(),
             [](const DependentRow& a, const DependentRow& b) { return a.row < b.row; });
   return found;
 }

@@ -19,9 +19,9 @@ struct DependentRow {
   std::vector<std::pair<int, double>> shares;  ///< of kept rows, ascending, without rounding
 };
 
-/// Of this distance on a row is nearly dependent, and not dependent. What a surface within three
-/// box sides makes of less is within kRequirementTolerance.
-constexpr double kDependent = 3e-11;
+/// Of this distance on a row is nearly dependent, and not dependent. What a surface within some box
+/// sides makes of less is within kRequirementTolerance.
+constexpr double kDependent = 1e-11;
 
 struct IndependentRows {
   std::vector<int> independent;  ///< ascending
@@ -34,7 +34,8 @@ struct IndependentRows {
 struct RowChoice {
   /// Whether a dependent row, as it was found, makes it needless to look at more.
   std::function<bool(const DependentRow&)> suffices;
-  /// Whether a row is not kept for what little it has of its own.
+  /// Whether a row is not kept for what little it has of its own, nor where others that are not
+  /// dispensable would be expressed by it.
   std::function<bool(int row)> is_dispensable;
 };
 
