@@ -167,8 +167,8 @@ class SimilarityInterpolator {
   /// met exactly, as the given vertices are, however far the iteration comes; what follows from the
   /// others is dropped and reported. `reference` may be empty: the given points.
   /// Errors: `invalid_argument` for a requirement that says nothing possible, `contradictory` for
-  /// those that contradict each other or the given vertices, `not_finite` for numbers too large to
-  /// compute with, all naming them. All but moved and removed vertices need a scheme that
+  /// those that contradict each other, the given vertices or what such a surface can do there,
+  /// `not_finite` for numbers too large to compute with, all naming them. All but moved and removed vertices need a scheme that
   /// LimitSurface evaluates. Not converged: one is missed by more than kRequirementTolerance.
   /// Method: what the equations forbid is projected out of the gradient in each iteration, by a
   /// sparse Cholesky decomposition of their products, whose pivots also tell whether some depend on

@@ -65,6 +65,7 @@ void Agreement::take_all() {
 Result<void> Agreement::check_fixed() const {
   for (Eigen::Index i = 0; i < equations_.factor.size(); ++i) {
     const double missed = std::abs(missed_[i]) / side_;
+    const double allowed = kHolds + kReach * equations_.free.row(i).norm();
     const int row = static_cast<int>(i);
     if (!(std::abs(equations_.in_units[i]) <= kFarthest)) {
       const std::size_t number = requirement_of(row);
@@ -73,7 +74,7 @@ Result<void> Agreement::check_fixed() const {
                                 "be computed with both",
                                 ErrorCode::not_finite);
     }
-    if (equations_.factor[i] == 0 && !is_chosen(row) && missed > kHolds) {
+    if (equations_.factor[i] == 0 && !is_chosen(row) && missed > allowed) {
       return contradiction({}, requirement_of(row), missed, requirements_);
     }
   }
@@ -172,7 +173,8 @@ std::vector<unsigned char> Agreement::redundant() const {
 }
 
 tl::unexpected<Error> not_told_apart() {
-  return fail(ErrorCode::singular, "the requirements are too nearly dependent to be solved for");
+  return fail(ErrorCode::contradictory,
+              "the requirements are too nearly dependent to be told apart; leave some of them out");
 }
 
 }  // namespace surpass

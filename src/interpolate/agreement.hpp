@@ -65,7 +65,7 @@ class Agreement {
   std::set<std::size_t> opposed_;
 };
 
-/// `singular`, for equations that only rounding tells apart.
+/// `contradictory`, for equations that only rounding tells apart.
 [[nodiscard]] tl::unexpected<Error> not_told_apart();
 
 }  // namespace surpass

@@ -53,8 +53,6 @@ double value_in_units(const RequirementRow& row, const Requirement& r,
 FreeEquations free_equations(const RequirementRows& equations,
                              std::span<const Requirement> requirements,
                              const Elimination& elimination, const ConstraintUnits& units) {
-  // Of an equation's length. What is left of it by free points is rounding if it is shorter.
-  constexpr double kNothing = 1e-9;
   FreeEquations result;
   add_rows(equations, elimination, result);
   for (Eigen::VectorXd* v : {&result.in_units, &result.absolute, &result.factor}) {
@@ -66,7 +64,7 @@ FreeEquations free_equations(const RequirementRows& equations,
     result.absolute[i] = row.value;
     const double length = result.all.row(i).norm();
     const double left = result.free.row(i).norm();
-    result.factor[i] = left > kNothing * length ? 1 / left : 0;
+    result.factor[i] = left > kNothingFree * length ? 1 / length : 0;
   }
   return result;
 }

@@ -17,6 +17,9 @@ struct ConstraintUnits {
   double side = 1;  ///< of the given points' box, which what is missed is relative to
 };
 
+/// Of an equation's length: if free points make no more of it, that is nothing.
+inline constexpr double kNothingFree = 1e-11;
+
 /// #equations rows; columns are the numbers of control points, #control by 3.
 struct FreeEquations {
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -24,7 +27,7 @@ struct FreeEquations {
   Rows free;                 ///< over the free ones, after elimination
   Eigen::VectorXd in_units;  ///< what the equations are to be, in the units of the solve
   Eigen::VectorXd absolute;  ///< the same as given
-  Eigen::VectorXd factor;    ///< makes rows of `free` as long as 1; 0 where these say nothing
+  Eigen::VectorXd factor;    ///< makes rows of `all` as long as 1; 0 where free points say nothing
 };
 
 [[nodiscard]] FreeEquations free_equations(const RequirementRows& equations,

@@ -18,8 +18,8 @@ class LinearConstraints {
   struct Contents;  // for its own file
 
   /// Fails with `contradictory` if equations contradict each other or the given vertices, naming
-  /// the requirements; with `not_finite` if values are too large to be computed with; with
-  /// `singular` where only rounding tells equations apart; with `cancelled`. Of those that nearly
+  /// the requirements, and where only rounding tells equations apart; with `not_finite` if values
+  /// are too large to be computed with; with `cancelled`. Of those that nearly
   /// depend on others only what they have of their own is solved for, at full length; of chosen
   /// ones nothing. `targets` are those of the given vertices in the units, #given by 3. Cost: a
   /// sparse Cholesky decomposition of the equations' products, and that of independent_rows() where

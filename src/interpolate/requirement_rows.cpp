@@ -32,11 +32,13 @@ constexpr std::array<Point, 3> kAxes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 class Equations {
  public:
-  explicit Equations(RequirementRows& out) : out_(out) {}
+  Equations(RequirementRows& out, std::size_t requirements) : out_(out) {
+    out_.first_row.resize(requirements);
+  }
 
   Result<void> add(const Requirement& r, std::size_t number, const LocatedRequirement& at,
                    SurfaceStencil stencil) {
-    out_.first_row.push_back(out_.rows.size());
+    out_.first_row[number] = out_.rows.size();
     if (out_.repeated[number] != 0) return {};
     switch (r.kind) {
       case Kind::remove: return {};
@@ -132,6 +134,17 @@ std::vector<unsigned char> repeats(std::span<const Requirement> requirements) {
   return repeated;
 }
 
+// Those that say all three coordinates before those that say less: of what depends on each other
+// the first is kept, and a direction follows from a derivative.
+std::vector<std::size_t> strongest_first(std::span<const Requirement> requirements) {
+  std::vector<std::size_t> order(requirements.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
+    return requirements[i].kind != Kind::normal && requirements[i].kind != Kind::direction;
+  });
+  return order;
+}
+
 // Of every requirement; empty ones if all are of vertices.
 Result<std::vector<SurfaceStencil>> stencils_of(const Mesh& refined, const Rules& rules,
                                                 std::span<const Requirement> requirements,
@@ -175,8 +188,8 @@ Result<RequirementRows> requirement_rows(const Mesh& refined, const Rules& rules
     return tl::make_unexpected(ok.error());
   }
   out.first_there = first_there(requirements, *stencils);
-  Equations equations(out);
-  for (std::size_t i = 0; i < requirements.size(); ++i) {
+  Equations equations(out, requirements.size());
+  for (const std::size_t i : strongest_first(requirements)) {
     if (auto ok = equations.add(requirements[i], i, (*located)[i], std::move((*stencils)[i]));
         !ok) {
       return tl::make_unexpected(ok.error());

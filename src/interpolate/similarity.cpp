@@ -100,10 +100,11 @@ Result<void> carry_channels(const SimilarityPrepared& prepared, std::span<const 
 // `limits`: of the given vertices, on the surface that was found; `points`: what they are to be.
 SimilaritySolution solution_of(const SimilarityPrepared& prepared, Found& found,
                                std::vector<Point> control, std::span<const Point> limits,
-                               std::span<const Point> points, const Context& context) {
+                               std::span<const Point> points, double side,
+                               const Context& context) {
   SimilaritySolution solution;
   solution.points = std::move(control);
-  solution.report = similarity_report(prepared, found, limits, points, context);
+  solution.report = similarity_report(prepared, found, limits, points, side, context);
   return solution;
 }
 
@@ -123,7 +124,8 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Po
   std::vector<Point> control = points_of(found->values);
   const auto limits = limits_of(prepared, control, context);
   SimilaritySolution solution =
-      solution_of(prepared, *found, std::move(control), limits, points, context);
+      solution_of(prepared, *found, std::move(control), limits, points,
+                  bounding_box(points).side(), context);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());
   }
@@ -238,15 +240,15 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
                                   *equations, context);
   if (!found) return tl::make_unexpected(found.error());
   control.points = points_of(found->values);
+  const double extent = bounding_box(targets).side();
+  const double side = extent > 0 ? extent : 1;
   // Nothing is missed at vertices that were let go.
   const auto limits = limits_of(prepared, control.points, context);
   for (std::size_t v = 0; v < equations->released.size(); ++v) {
     if (equations->released[v] != 0) targets[v] = limits[v];
   }
   SimilaritySolution solution =
-      solution_of(prepared, *found, control.points, limits, targets, context);
-  const double extent = bounding_box(targets).side();
-  const double side = extent > 0 ? extent : 1;
+      solution_of(prepared, *found, control.points, limits, targets, extent, context);
   if (auto ok = check_planes(asked, *equations, control.points, side, found->opposed); !ok) {
     return tl::make_unexpected(ok.error());
   }

@@ -49,9 +49,9 @@ std::size_t derivative_count(const PatchRows& rows) {
 }
 
 void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<const Point> limits,
-                 std::span<const Point> points, const Context& context, SimilarityReport& report) {
+                 std::span<const Point> points, double side, const Context& context,
+                 SimilarityReport& report) {
   const SimilarityOptions& options = prepared.options;
-  const double side = bounding_box(points).side();
   const double unit = side > 0 ? side : 1;
   report.solve.box_side = side;
   report.solve.tolerance = floored_tolerance(options.tolerance, flat(points), unit);
@@ -109,10 +109,10 @@ void judge_reference(const Found& found, double side, SimilarityReport& report) 
 
 SimilarityReport similarity_report(const SimilarityPrepared& prepared, Found& found,
                                    std::span<const Point> limits, std::span<const Point> points,
-                                   const Context& context) {
+                                   double side, const Context& context) {
   SimilarityReport report;
-  fill_report(prepared, found, limits, points, context, report);
-  judge_reference(found, bounding_box(points).side(), report);
+  fill_report(prepared, found, limits, points, side, context, report);
+  judge_reference(found, side, report);
   judge_residual(prepared, found, report);
   return report;
 }

@@ -12,10 +12,10 @@ namespace surpass {
 [[nodiscard]] std::vector<Point> limits_of(const SimilarityPrepared& prepared,
                                            std::span<const Point> control, const Context& context);
 
-/// `limits`: of the given vertices, which shall be at `points`.
+/// `limits`: of the given vertices, which shall be at `points`; `side`: of the given box.
 [[nodiscard]] SimilarityReport similarity_report(const SimilarityPrepared& prepared, Found& found,
                                                  std::span<const Point> limits,
-                                                 std::span<const Point> points,
+                                                 std::span<const Point> points, double side,
                                                  const Context& context);
 
 }  // namespace surpass

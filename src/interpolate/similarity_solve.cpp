@@ -195,6 +195,7 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
 
 Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
                    const Context& context) {
+  if (context.cancelled()) return fail(ErrorCode::cancelled, "cancelled before solving");
   auto start = start_of(prepared, wanted, context);
   if (!start) return tl::make_unexpected(start.error());
   const Units& units = start->units;

@@ -19,6 +19,8 @@ using Kind = Requirement::Kind;
 using Vector3 = Eigen::Vector3d;
 
 constexpr double kSame = 1e-9;
+// In radians: by this much normals may differ at places that are the same but for that.
+constexpr double kSameAngle = 1e-7;
 constexpr double kNoWeight = 1e-12;
 
 /// Weights of control points, of one requirement's tangents: one column a tangent.
@@ -79,9 +81,9 @@ bool contradict(const Requirement& a, const Wish& of_a, const Requirement& b, co
   if (is_zero(a) || is_zero(b)) return true;
   const Vector3 u = unit_vector(a.value);
   const Vector3 v = unit_vector(b.value);
-  if (of_a.is_normal() && !of_b.is_normal()) return std::abs(u.dot(v)) > kSame;
+  if (of_a.is_normal() && !of_b.is_normal()) return std::abs(u.dot(v)) > kSameAngle;
   const double turn = of_a.is_normal() ? shares->determinant() : (*shares)(0, 0);
-  return (v - std::copysign(1.0, turn) * u).norm() > kSame;
+  return (v - std::copysign(1.0, turn) * u).norm() > kSameAngle;
 }
 
 /// Places have the same tangents only if they are the same, and then their position has the same

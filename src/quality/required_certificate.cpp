@@ -95,7 +95,7 @@ Result<RequiredCertificate> certify_required(const Mesh& control, const Mesh& gi
   if (!limits) return tl::make_unexpected(limits.error());
   RequiredCertificate certificate;
   aim(*equations, *limits, given, certificate);
-  const double extent = bounding_box(certificate.targets).side();
+  const double extent = bounding_box(equations->targets).side();
   const double side = extent > 0 ? extent : 1;
   if (auto ok = check_tangents_exist(asked, *equations, *refined, side); !ok) {
     return tl::make_unexpected(ok.error());
