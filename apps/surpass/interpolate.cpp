@@ -45,7 +45,8 @@ class Interpolate : public Command {
   Result<Verdict> verify(const Mesh& control, std::span<const Point> given, Session& session) const;
   Result<Certificate> certify_listed(const std::vector<Point>& limit,
                                      std::span<const Point> given) const;
-  [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
+  [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error,
+                                         Session& session) const;
   Result<void> write(const Mesh& control, Session& session) const;
   [[nodiscard]] Result<void> check_nonstationary() const;
 
@@ -197,10 +198,32 @@ Result<void> Interpolate::run(Session& session) {
       return written;
     }
   }
-  return reached ? Result<void>() : not_reached(*solved, verdict->judged());
+  return reached ? Result<void>() : not_reached(*solved, verdict->judged(), session);
 }
 
-Result<void> Interpolate::not_reached(const SolveReport& solved, double error) const {
+namespace {
+
+// The requirement that is missed by most.
+std::string what_is_missed(const Json& report) {
+  const auto similarity = report.find("similarity");
+  if (similarity == report.end() || !similarity->contains("requirements")) {
+    return "a channel did not";
+  }
+  const Json& all = (*similarity)["requirements"];
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (all[i]["error"] > all[worst]["error"]) worst = i;
+  }
+  const double missed = all[worst]["error"];
+  if (!(missed > kRequirementTolerance)) return "a channel did not";
+  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side", worst,
+                     all[worst]["what"].get<std::string>(), missed);
+}
+
+}  // namespace
+
+Result<void> Interpolate::not_reached(const SolveReport& solved, double error,
+                                      Session& session) const {
   const std::string advice = keep_best_ ? "" : ", or have the best mesh written with --keep-best";
   if (error <= solved.tolerance && method_ == Method::progressive) {
     return fail(ErrorCode::not_converged,
@@ -210,11 +233,12 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
   }
   if (error <= solved.tolerance) {
     // These methods meet everything from the start: only rounding is at work.
-    return fail(ErrorCode::not_converged,
-                fmt::format("the positions reached the tolerance {:.3g}, but a channel or a "
-                            "requirement did not, by rounding, which more iterations would not "
-                            "mend; ask for numbers of the size of the mesh{}",
-                            solved.tolerance, advice));
+    return fail(
+        ErrorCode::not_converged,
+        fmt::format("the positions reached the tolerance {:.3g}, but {}, by rounding, which "
+                    "more iterations would not mend; ask for what the surface can do "
+                    "there, in numbers of the size of the mesh{}",
+                    solved.tolerance, what_is_missed(session.report), advice));
   }
   if (method_ != Method::progressive) {
     return fail(ErrorCode::not_converged,

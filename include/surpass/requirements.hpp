@@ -78,7 +78,8 @@ struct RequirementOutcome {
   double error = 0;
   /// The angle to the normal or direction in radians, 0 to pi; 0 for other kinds.
   double angle = 0;
-  /// The surface has the opposite normal or direction: its equations cannot tell. Or none at all.
+  /// The surface has the opposite normal or direction, for its equations cannot tell and nothing
+  /// better was found. Or none at all.
   bool flipped = false;
   /// The derivatives that are required there are parallel, so that the surface has no tangent
   /// plane.

@@ -168,11 +168,12 @@ class SimilarityInterpolator {
   /// others is dropped and reported. `reference` may be empty: the given points.
   /// Errors: `invalid_argument` for a requirement that says nothing possible, `contradictory` for
   /// those that contradict each other, the given vertices or what such a surface can do there,
-  /// `not_finite` for numbers too large to compute with, all naming them. All but moved and removed vertices need a scheme that
-  /// LimitSurface evaluates. Not converged: one is missed by more than kRequirementTolerance.
-  /// Method: what the equations forbid is projected out of the gradient in each iteration, by a
-  /// sparse Cholesky decomposition of their products, whose pivots also tell whether some depend on
-  /// the rest. Lai and Cheng 2006, section 3, choose a vertex to eliminate for each requirement.
+  /// `not_finite` for numbers too large to compute with, all naming them. All but moved and removed
+  /// vertices need a scheme that LimitSurface evaluates. Not converged: one is missed by more than
+  /// kRequirementTolerance. Method: what the equations forbid is projected out of the gradient in
+  /// each iteration, by a sparse Cholesky decomposition of their products, whose pivots also tell
+  /// whether some depend on the rest. Lai and Cheng 2006, section 3, choose a vertex to eliminate
+  /// for each requirement.
   [[nodiscard]] Result<SimilaritySolution> solve_required(std::span<const Requirement> requirements,
                                                           std::span<const Point> points,
                                                           std::span<const Point> reference = {},

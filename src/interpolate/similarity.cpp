@@ -100,8 +100,7 @@ Result<void> carry_channels(const SimilarityPrepared& prepared, std::span<const 
 // `limits`: of the given vertices, on the surface that was found; `points`: what they are to be.
 SimilaritySolution solution_of(const SimilarityPrepared& prepared, Found& found,
                                std::vector<Point> control, std::span<const Point> limits,
-                               std::span<const Point> points, double side,
-                               const Context& context) {
+                               std::span<const Point> points, double side, const Context& context) {
   SimilaritySolution solution;
   solution.points = std::move(control);
   solution.report = similarity_report(prepared, found, limits, points, side, context);
@@ -123,9 +122,8 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Po
   if (!found) return tl::make_unexpected(found.error());
   std::vector<Point> control = points_of(found->values);
   const auto limits = limits_of(prepared, control, context);
-  SimilaritySolution solution =
-      solution_of(prepared, *found, std::move(control), limits, points,
-                  bounding_box(points).side(), context);
+  SimilaritySolution solution = solution_of(prepared, *found, std::move(control), limits, points,
+                                            bounding_box(points).side(), context);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());
   }
@@ -165,8 +163,8 @@ Mesh control_mesh(const SimilarityPrepared& prepared) {
   return control;
 }
 
-// Again and again with lengths for the tangents that vanished, which others may for their sake.
-// What cannot be solved with them stays as it was found without.
+// Again and again with lengths for the tangents that vanished or went the other way, which others
+// may for their sake. What cannot be solved with them stays as it was found without.
 Result<Found> find_with_tangents(const SimilarityPrepared& prepared, const Wanted& wanted,
                                  RequirementRows& equations, const Context& context) {
   constexpr int kMostRounds = 8;  // two are usual
@@ -194,7 +192,8 @@ void note_lengths(const RequirementRows& equations, std::span<const Requirement>
   if (first == with.end()) return;
   const auto number = static_cast<std::size_t>(first - with.begin());
   report.solve.notes.push_back(fmt::format(
-      "the tangents of {} would have vanished and were given lengths, by the reference; the first: "
+      "the tangents of {} would have vanished or gone the other way and were given lengths, by the "
+      "reference; the first: "
       "{}, {}",
       counted(static_cast<std::size_t>(std::count(first, with.end(), 1)), "requirement",
               "requirements"),

@@ -27,6 +27,18 @@ bool do_vanish(const Tangents& tangents, const Tangents& reference) {
   return sine_between(tangents) <= kVanishing * sine_between(reference);
 }
 
+// Equations do not know signs.
+bool are_opposite(const Tangents& tangents, const Requirement& r) {
+  const Vector3 found = tangents.cols() == 1
+                            ? Vector3(tangents.col(0))
+                            : Vector3(tangents.col(0)).cross(Vector3(tangents.col(1)));
+  return found.dot(unit_vector(r.value)) < 0;
+}
+
+bool are_bad(const Tangents& tangents, const Tangents& reference, const Requirement& r) {
+  return do_vanish(tangents, reference) || are_opposite(tangents, r);
+}
+
 // The reference's tangents, or stand-ins where it has none: not folded, and of the points' width.
 class PresentTangents {
  public:
@@ -147,14 +159,14 @@ std::vector<unsigned char> with_lengths(std::size_t requirements,
 
 namespace {
 
-// Cheaper than the place: whether tangents vanish or the reference's may need a stand-in.
-bool may_vanish(std::span<const Point> control, std::span<const Point> reference,
-                const RequirementRows& equations, std::size_t i, Kind kind) {
-  const Tangents present = tangents_on(reference, equations, i, kind);
+// Cheaper than the place: whether tangents are bad or the reference's may need a stand-in.
+bool may_be_bad(std::span<const Point> control, std::span<const Point> reference,
+                const RequirementRows& equations, std::size_t i, const Requirement& r) {
+  const Tangents present = tangents_on(reference, equations, i, r.kind);
   const double nothing = kNoTangent * reach_of(reference, equations, i);
   const bool folded =
       present.colwise().norm().minCoeff() <= nothing || sine_between(present) <= kNoTangent;
-  return folded || do_vanish(tangents_on(control, equations, i, kind), present);
+  return folded || are_bad(tangents_on(control, equations, i, r.kind), present, r);
 }
 
 // At one place; the positions in its list of those that may need it.
@@ -168,9 +180,11 @@ bool choose_lengths(const TangentPlace& place, const std::vector<std::size_t>& s
   for (const std::size_t k : suspects) {
     const PlaceWish& wish = place.wishes()[k];
     const Tangents before = present.of(wish.shares);
-    if (!do_vanish(basis * wish.shares, before) || do_vanish(chosen * wish.shares, before))
+    const Requirement& r = place.asked(wish);
+    if (!are_bad(basis * wish.shares, before, r) || are_bad(chosen * wish.shares, before, r)) {
       continue;
-    add_lengths(place.asked(wish), wish.number, chosen * wish.shares, equations);
+    }
+    add_lengths(r, wish.number, chosen * wish.shares, equations);
     added = true;
   }
   return added;
@@ -186,9 +200,9 @@ bool add_tangent_lengths(std::span<const Requirement> requirements, std::span<co
     std::vector<std::size_t> suspects;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const std::size_t i = numbers[k];
-      const Kind kind = requirements[i].kind;
-      if (kind == Kind::derivative || done[i] != 0) continue;
-      if (may_vanish(control, reference, equations, i, kind)) suspects.push_back(k);
+      const Requirement& r = requirements[i];
+      if (r.kind == Kind::derivative || done[i] != 0) continue;
+      if (may_be_bad(control, reference, equations, i, r)) suspects.push_back(k);
     }
     if (suspects.empty()) continue;
     const TangentPlace place(numbers, requirements, equations);
