@@ -97,6 +97,21 @@ TEST_F(ManyRequirements, OneThatLiesElsewhereIsSeen) {
   }
 }
 
+// The nearer a place is to a given vertex, the less of its position is free, and the less tells it
+// from what the normal there says.
+TEST_F(ManyRequirements, BesideAGivenVertexAreMet) {
+  const LimitSurface surface = LimitSurface::create(control_, SimilarityOptions{}.rules).value();
+  for (double apart = 1e-2; apart > 1e-13; apart /= 3) {
+    SCOPED_TRACE(apart);
+    const SurfaceSample vertex = surface.evaluate({0, 0, 0}).value();
+    const SurfaceSample beside = surface.evaluate({0, apart, apart / 2}).value();
+    const auto normal = test::on_face(Kind::normal, {0, 0, 0, 0}, vertex.normal);
+    const auto position = test::on_face(Kind::position, {0, apart, apart / 2, 0}, beside.position);
+    EXPECT_LE(needed({position}), 1U);
+    EXPECT_LE(needed({normal, position}), 2U);
+  }
+}
+
 TEST_F(ManyRequirements, ThatNoSurfaceMeetsAreRefused) {
   std::vector<Requirement> many;
   for (int k = 0; k < 4000; ++k) {

@@ -79,6 +79,17 @@ TEST_F(RequirementWords, WhatIsSaidTwiceIsAskedOnce) {
   }
 }
 
+TEST_F(RequirementWords, ADirectionFollowsFromADerivativeInEitherOrder) {
+  const auto derivative = test::on_face(Kind::derivative, place_, {0.4, 0.1, 0.2});
+  const auto direction = test::on_face(Kind::direction, place_, {0.8, 0.2, 0.4});
+  const auto first = solve({derivative, direction}).report.requirements;
+  const auto last = solve({direction, derivative}).report.requirements;
+  EXPECT_EQ(first[0].redundant, false);
+  EXPECT_EQ(first[1].redundant, true);
+  EXPECT_EQ(last[0].redundant, true);
+  EXPECT_EQ(last[1].redundant, false);
+}
+
 TEST_F(RequirementWords, NumbersTooLargeToComputeWithAreNamed) {
   for (const double x : {1e200, 1e308}) {
     const Error error = refusal({test::at_vertex(Kind::normal, 5, {0, 0, 1}),

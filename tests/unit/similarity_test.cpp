@@ -131,6 +131,16 @@ TEST(Similarity, ProgressTellsTheResidual) {
   EXPECT_EQ(told, found.report.residuals);
 }
 
+TEST(Similarity, WhatWasCancelledBeforeIsNotSolvedEvenWithoutIterations) {
+  const std::atomic<bool> cancel = true;
+  SimilarityOptions options;
+  options.max_iterations = 0;
+  const auto solver = SimilarityInterpolator::create(test::cube(), options).value();
+  const auto stopped = solver.solve(test::cube().points, {}, {.cancel = &cancel});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+}
+
 // The first iteration moves all free points along one field: a step of progressive interpolation.
 TEST(Similarity, TheFirstStepIsProgressive) {
   const Mesh mesh = test::jittered(test::quad_grid(9, 7));
