@@ -303,7 +303,7 @@ std::optional<IndependentRows> independent_rows(const Rows& rows, const RowChoic
     const std::set<int> obstacles = all_in_the_way(*found, choice);
     if (obstacles.empty()) break;
     left_out.insert(left_out.end(), obstacles.begin(), obstacles.end());
-    std::erase_if(list, [&](int row) { return obstacles.count(row) != 0; });
+    std::erase_if(list, [&](int row) { return obstacles.contains(row); });
   }
   if (!found || !express_left_out(rows, left_out, context, *found)) return std::nullopt;
   std::sort(found->dependent.begin(), found->dependent.end(),
