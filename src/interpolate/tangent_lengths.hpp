@@ -9,7 +9,8 @@
 namespace surpass {
 
 /// Adds rows that give lengths to the tangents of those normals and directions that vanish on
-/// `control`'s surface, or are opposite there, and have none yet: a direction's tangent is as long
+/// `control`'s surface, or are opposite there though the reference's are not nearly so (134
+/// degrees), and have none yet: a direction's tangent is as long
 /// as the reference's there, a normal's two are the reference's, turned by the least rotation that
 /// takes normal to normal and then about the normal to the first direction or derivative that is
 /// required in their plane. What else is required at the place is respected: the tangents are the

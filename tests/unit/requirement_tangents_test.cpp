@@ -116,6 +116,25 @@ TEST(RequirementTangents, HardlyAnyLengthIsNoLength) {
   expect_met(mesh, {test::towards(Kind::direction, v, inner, almost)}, {corner_of(mesh, v)});
 }
 
+// As where all normals of a file point inward: nothing folds, and it is said.
+TEST(RequirementTangents, NormalsOfTheOtherSignDoNotFoldTheSurface) {
+  const Mesh mesh = test::icosahedron();
+  const auto solver =
+      SimilarityInterpolator::create(mesh, {.rules = {Scheme::catmull_clark}}).value();
+  std::vector<Requirement> outward;
+  std::vector<Requirement> inward;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Point& p = mesh.points[v];
+    outward.push_back(test::at_vertex(Kind::normal, v, p));
+    inward.push_back(test::at_vertex(Kind::normal, v, {-p[0], -p[1], -p[2]}));
+  }
+  const auto found = solver.solve_required(outward, mesh.points).value();
+  const auto reversed = solver.solve_required(inward, mesh.points).value();
+  EXPECT_LT(test::max_distance(found.points, reversed.points), 1e-12);
+  for (const auto& outcome : found.report.requirements) EXPECT_FALSE(outcome.flipped);
+  for (const auto& outcome : reversed.report.requirements) EXPECT_TRUE(outcome.flipped);
+}
+
 TEST(RequirementTangents, NormalsAcrossTheSurfaceAreMet) {
   expect_met(test::cube(), {test::on_face(Kind::normal, {0, 0.5, 0.5}, {1, 0, 0})}, {});
   const Mesh mesh = flat_sheet();
