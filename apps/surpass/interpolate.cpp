@@ -46,7 +46,7 @@ class Interpolate : public Command {
   Result<Certificate> certify_listed(const std::vector<Point>& limit,
                                      std::span<const Point> given) const;
   [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error,
-                                         Session& session) const;
+                                         const Session& session) const;
   Result<void> write(const Mesh& control, Session& session) const;
   [[nodiscard]] Result<void> check_nonstationary() const;
 
@@ -201,29 +201,8 @@ Result<void> Interpolate::run(Session& session) {
   return reached ? Result<void>() : not_reached(*solved, verdict->judged(), session);
 }
 
-namespace {
-
-// The requirement that is missed by most.
-std::string what_is_missed(const Json& report) {
-  const auto similarity = report.find("similarity");
-  if (similarity == report.end() || !similarity->contains("requirements")) {
-    return "a channel did not";
-  }
-  const Json& all = (*similarity)["requirements"];
-  std::size_t worst = 0;
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    if (all[i]["error"] > all[worst]["error"]) worst = i;
-  }
-  const double missed = all[worst]["error"];
-  if (!(missed > kRequirementTolerance)) return "a channel did not";
-  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side", worst,
-                     all[worst]["what"].get<std::string>(), missed);
-}
-
-}  // namespace
-
 Result<void> Interpolate::not_reached(const SolveReport& solved, double error,
-                                      Session& session) const {
+                                      const Session& session) const {
   const std::string advice = keep_best_ ? "" : ", or have the best mesh written with --keep-best";
   if (error <= solved.tolerance && method_ == Method::progressive) {
     return fail(ErrorCode::not_converged,
@@ -233,12 +212,14 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error,
   }
   if (error <= solved.tolerance) {
     // These methods meet everything from the start: only rounding is at work.
+    const std::string missed = missed_requirement(
+        session.report.value(Json::json_pointer("/similarity/requirements"), Json::array()));
     return fail(
         ErrorCode::not_converged,
         fmt::format("the positions reached the tolerance {:.3g}, but {}, by rounding, which "
                     "more iterations would not mend; ask for what the surface can do "
                     "there, in numbers of the size of the mesh{}",
-                    solved.tolerance, what_is_missed(session.report), advice));
+                    solved.tolerance, missed.empty() ? "a channel did not" : missed, advice));
   }
   if (method_ != Method::progressive) {
     return fail(ErrorCode::not_converged,

@@ -154,4 +154,17 @@ Json outcomes_json(const std::vector<Requirement>& requirements,
   return list;
 }
 
+std::string missed_requirement(const Json& outcomes) {
+  const auto worst =
+      std::max_element(outcomes.begin(), outcomes.end(), [](const Json& a, const Json& b) {
+        return a["error"].get<double>() < b["error"].get<double>();
+      });
+  if (worst == outcomes.end() || !((*worst)["error"].get<double>() > kRequirementTolerance)) {
+    return "";
+  }
+  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side",
+                     worst - outcomes.begin(), (*worst)["what"].get<std::string>(),
+                     (*worst)["error"].get<double>());
+}
+
 }  // namespace surpass::cli

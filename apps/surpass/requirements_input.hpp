@@ -42,4 +42,8 @@ class RequirementsInput {
 [[nodiscard]] Json outcomes_json(const std::vector<Requirement>& requirements,
                                  const std::vector<RequirementOutcome>& outcomes);
 
+/// Of such a list: which is missed by most, and by how much. Empty if none is missed by more than
+/// kRequirementTolerance.
+[[nodiscard]] std::string missed_requirement(const Json& outcomes);
+
 }  // namespace surpass::cli

@@ -57,7 +57,6 @@ Agreement::Agreement(const FreeEquations& equations, const RequirementRows& rows
 }
 
 void Agreement::take_all() {
-  found_ = {};
   found_.independent.resize(rows_.rows.size());
   std::iota(found_.independent.begin(), found_.independent.end(), 0);
 }
@@ -65,7 +64,6 @@ void Agreement::take_all() {
 Result<void> Agreement::check_fixed() const {
   for (Eigen::Index i = 0; i < equations_.factor.size(); ++i) {
     const double missed = std::abs(missed_[i]) / side_;
-    const double allowed = kHolds + kReach * equations_.free.row(i).norm();
     const int row = static_cast<int>(i);
     if (!(std::abs(equations_.in_units[i]) <= kFarthest)) {
       const std::size_t number = requirement_of(row);
@@ -74,7 +72,8 @@ Result<void> Agreement::check_fixed() const {
                                 "be computed with both",
                                 ErrorCode::not_finite);
     }
-    if (equations_.factor[i] == 0 && !is_chosen(row) && missed > allowed) {
+    if (equations_.factor[i] != 0 || is_chosen(row)) continue;
+    if (missed > kHolds + kReach * equations_.free.row(i).norm()) {
       return contradiction({}, requirement_of(row), missed, requirements_);
     }
   }

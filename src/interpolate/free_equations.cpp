@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "interpolate/independent_rows.hpp"
+
 namespace surpass {
 namespace {
 
@@ -64,7 +66,7 @@ FreeEquations free_equations(const RequirementRows& equations,
     result.absolute[i] = row.value;
     const double length = result.all.row(i).norm();
     const double left = result.free.row(i).norm();
-    result.factor[i] = left > kNothingFree * length ? 1 / length : 0;
+    result.factor[i] = left > kDependent * length ? 1 / length : 0;
   }
   return result;
 }

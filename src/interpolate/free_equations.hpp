@@ -17,9 +17,6 @@ struct ConstraintUnits {
   double side = 1;  ///< of the given points' box, which what is missed is relative to
 };
 
-/// Of an equation's length: if free points make no more of it, that is nothing.
-inline constexpr double kNothingFree = 1e-11;
-
 /// #equations rows; columns are the numbers of control points, #control by 3.
 struct FreeEquations {
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
