@@ -2,9 +2,6 @@
 //
 // Read, mend, solve, certify before and after rounding, write. Everything is computed before
 // anything is written.
-#include <surpass/topology.hpp>
-
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -18,6 +15,7 @@
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "nonstationary.hpp"
+#include "nonstationary_surface.hpp"
 #include "rules_option.hpp"
 #include "similar.hpp"
 #include "solve_report.hpp"
@@ -50,17 +48,6 @@ class Interpolate : public Command {
   Result<void> write(const Mesh& control, Session& session) const;
   [[nodiscard]] Result<void> check_nonstationary() const;
 
-  /// By the non-stationary scheme: what it knows, its mesh on the limit, and what a page shows
-  /// where that is less.
-  struct Subdivided {
-    NonstationaryLoop loop;
-    Mesh surface;
-    std::optional<Mesh> shown;
-  };
-  Result<void> run_nonstationary(const Mesh& given, Session& session);
-  Result<Subdivided> subdivide(const Mesh& given, Session& session);
-  Result<Verdict> verify_subdivided(const Subdivided& made, Session& session);
-  Result<void> write_subdivided(const Mesh& given, Subdivided made, Session& session);
   Result<void> write_page(Mesh given, std::vector<Point> points, const Mesh& control,
                           Session& session);
 
@@ -171,7 +158,12 @@ Result<void> Interpolate::run(Session& session) {
   if (!loaded) return tl::make_unexpected(loaded.error());
   Mesh& mesh = loaded->mesh;
   output_.default_format(loaded->format);
-  if (rules_.nonstationary()) return run_nonstationary(mesh, session);
+  if (rules_.nonstationary()) {
+    return write_nonstationary_surface(mesh,
+                                       {input_.path(), rules_, nonstationary_, surface_.levels(),
+                                        options_.tolerance, keep_best_, output_, page_},
+                                       session);
+  }
   if (const auto chosen = choose_options(mesh, session); !chosen) return chosen;
 
   const Index vertices = mesh.vertex_count();
@@ -278,94 +270,6 @@ Result<void> Interpolate::check_nonstationary() const {
                     wrong, kNonstationaryLoop));
   }
   return similar_.check(method_, rules_);
-}
-
-Result<Interpolate::Subdivided> Interpolate::subdivide(const Mesh& given, Session& session) {
-  // A page gets what it can hold, on the way to what is written.
-  const int shown_levels =
-      page_.wanted() ? std::min(surface_.levels(), HtmlReport::shown_levels(given)) : 0;
-  auto made = nonstationary_.refined(given, rules_, 0, shown_levels, session);
-  if (!made) return tl::make_unexpected(made.error());
-  std::optional<Mesh> shown;
-  if (page_.wanted() && shown_levels < surface_.levels()) {
-    Result<Mesh> limit = made->limit_mesh(session.context);
-    if (!limit) return tl::make_unexpected(limit.error());
-    shown = std::move(*limit);
-  }
-  if (const auto done = Nonstationary::refine(*made, surface_.levels(), session); !done) {
-    return tl::make_unexpected(done.error());
-  }
-  Result<Mesh> surface = session.timed("refine", [&] { return made->limit_mesh(session.context); });
-  if (!surface) return tl::make_unexpected(surface.error());
-  forget_rules(*surface);
-  return Subdivided{std::move(*made), std::move(*surface), std::move(shown)};
-}
-
-Result<Verdict> Interpolate::verify_subdivided(const Subdivided& made, Session& session) {
-  const auto verify = [&](std::span<const Point> points) {
-    const std::span<const Point> own = points.first(made.loop.aims().size());
-    return session.timed("verify",
-                         [&] { return compare_points(own, made.loop.aims(), "surpass"); });
-  };
-  const Result<Certificate> exact = verify(made.surface.points);
-  if (!exact) return tl::make_unexpected(exact.error());
-  session.report["error"] = {{"max", exact->max}, {"mean", exact->mean}};
-  Verdict verdict{*exact, {}, {}};
-  if (output_.rounds()) {
-    const Result<Certificate> stored = verify(output_.stored(made.surface.points));
-    if (!stored) return tl::make_unexpected(stored.error());
-    session.report["error_stored"] = certificate_json(*stored);
-    verdict.stored = *stored;
-  }
-  return verdict;
-}
-
-Result<void> Interpolate::write_subdivided(const Mesh& given, Subdivided made, Session& session) {
-  if (const auto done = output_.write(made.surface, session); !done) return done;
-  if (!page_.wanted()) return {};
-  page_.add("given", "Given mesh", LayerKind::mesh, given);
-  page_.mark(given.points);
-  const auto added = page_.add_surface(
-      "surface", "Surface", made.shown ? std::move(*made.shown) : made.surface, session.context);
-  return added ? page_.write(session) : added;
-}
-
-/// The given mesh is the control mesh: what is written is its surface.
-Result<void> Interpolate::run_nonstationary(const Mesh& given, Session& session) {
-  session.report["method"] = "nonstationary";
-  session.report["levels"] = surface_.levels();
-  if (const auto checked = check_levels(given, surface_.levels()); !checked) return checked;
-  Result<Subdivided> made = subdivide(given, session);
-  if (!made) return tl::make_unexpected(made.error());
-  const Result<Verdict> verdict = verify_subdivided(*made, session);
-  if (!verdict) return tl::make_unexpected(verdict.error());
-  const Certificate& exact = verdict->exact;
-  const double side = bounding_box(given.points).side();
-  const double tolerance =
-      floored_tolerance(options_.tolerance, flat(given.points), side > 0 ? side : 1);
-  const bool reached = exact.max <= tolerance;
-  session.report["tolerance"] = tolerance;
-  session.report["converged"] = reached;
-  const bool written = reached || keep_best_;
-  if (written) {
-    session.console.note(
-        "there is no other control mesh than the given one; what is written is the surface");
-  }
-  session.console.say(fmt::format("{}: {} vertices, {}, {}", input_.path(), given.vertex_count(),
-                                  kNonstationaryLoop, nonstationary_.summary(made->loop)));
-  session.console.say(fmt::format(
-      "error {:.3g} of the box side (mean {:.3g}){}; {} faces, {:.3g} s", exact.max, exact.mean,
-      verdict->stored ? fmt::format("; {:.3g} as stored", verdict->stored->max) : "",
-      made->surface.face_count(), session.seconds()));
-  if (written) {
-    if (const auto done = write_subdivided(given, std::move(*made), session); !done) return done;
-  }
-  if (reached) return {};
-  return fail(ErrorCode::not_converged,
-              fmt::format("the surface misses the given vertices by {:.3g} of the box side, more "
-                          "than the tolerance {:.3g}; rules that interpolate are those without "
-                          "--uniform, --rule mean",
-                          exact.max, tolerance));
 }
 
 Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
