@@ -118,6 +118,19 @@ void make_unit(Numbers& numbers, double& length) {
   length = largest * std::sqrt(square);
 }
 
+// "7, 9-40": ascending numbers, those that follow each other in one.
+std::string in_runs(std::span<const std::size_t> numbers) {
+  std::vector<std::string> runs;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    runs.push_back(last == i ? fmt::format("{}", numbers[i])
+                             : fmt::format("{}-{}", numbers[i], numbers[last]));
+    i = last + 1;
+  }
+  return joined(runs, ", ");
+}
+
 Requirement canonical(Requirement r) {
   if (r.vertex != kNone) r.place = {};
   if (r.kind == Kind::remove) r.value = {};
@@ -158,13 +171,16 @@ tl::unexpected<Error> refuse_requirement(const Requirement& r, std::size_t numbe
 
 std::string names_of(std::span<const std::size_t> numbers,
                      std::span<const Requirement> requirements) {
-  constexpr std::size_t kNamed = 6;
+  constexpr std::size_t kDescribed = 6;
+  const auto described = numbers.first(std::min(kDescribed, numbers.size()));
   std::vector<std::string> names;
-  for (const std::size_t i : numbers.first(std::min(kNamed, numbers.size()))) {
+  for (const std::size_t i : described) {
     names.push_back(fmt::format("{} ({})", i, describe(requirements[i])));
   }
-  return joined(names, ", ") +
-         (numbers.size() > kNamed ? fmt::format(" and {} more", numbers.size() - kNamed) : "");
+  const auto others = numbers.subspan(described.size());
+  const std::string more =
+      others.empty() ? "" : fmt::format(" and {} more: {}", others.size(), in_runs(others));
+  return joined(names, ", ") + more;
 }
 
 std::vector<Requirement> canonical(std::span<const Requirement> requirements) {

@@ -38,7 +38,8 @@ struct LocatedRequirement {
   return is_at(0, 0) ? 0 : is_at(1, 0) ? 1 : is_at(1, 1) ? 2 : is_at(0, 1) ? 3 : kNone;
 }
 
-/// "3 (normal at vertex 7), 5 (...)": the first six of them.
+/// "3 (normal at vertex 7), 5 (...) and 33 more: 7, 9-40": of ascending numbers, all of them, of
+/// which six are described.
 [[nodiscard]] std::string names_of(std::span<const std::size_t> numbers,
                                    std::span<const Requirement> requirements);
 

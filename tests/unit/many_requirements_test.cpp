@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -94,6 +96,39 @@ TEST_F(ManyRequirements, OneThatLiesElsewhereIsSeen) {
     const auto refused = solver_.solve_required(all, given_);
     ASSERT_FALSE(refused) << apart;
     EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
+  }
+}
+
+// "1 (what), 2 (what) and 4 more: 7, 9-11".
+std::vector<std::size_t> numbers_named(std::string message) {
+  message = message.substr(message.find(": ") + 2);
+  message = message.substr(0, message.find(';'));
+  message = std::regex_replace(message, std::regex("\\([^)]*\\)| and [0-9]+ more:"), ",");
+  const std::regex run("([0-9]+)(-([0-9]+))?");
+  std::vector<std::size_t> numbers;
+  for (std::sregex_iterator at(message.begin(), message.end(), run), end; at != end; ++at) {
+    const std::size_t first = std::stoul((*at)[1]);
+    const std::size_t last = (*at)[3].matched ? std::stoul((*at)[3]) : first;
+    for (std::size_t i = first; i <= last; ++i) numbers.push_back(i);
+  }
+  return numbers;
+}
+
+// All that are named contradict each other, and without any one of them they do not.
+TEST_F(ManyRequirements, ThoseThatContradictAreNamed) {
+  std::vector<Requirement> all = on_quarters(Kind::position, 1, 12);
+  all[77].value[1] += 1e-3;
+  const auto refused = solver_.solve_required(all, given_);
+  ASSERT_FALSE(refused);
+  const auto numbers = numbers_named(refused.error().message);
+  ASSERT_GT(numbers.size(), 6U) << refused.error().message;
+  std::vector<Requirement> named;
+  for (const std::size_t i : numbers) named.push_back(all.at(i));
+  EXPECT_FALSE(solver_.solve_required(named, given_));
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    std::vector<Requirement> others = named;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_TRUE(solver_.solve_required(others, given_)) << numbers[i];
   }
 }
 
