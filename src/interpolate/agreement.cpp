@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpolate/dispensable_rows.hpp"
 #include "interpolate/requirement_places.hpp"
 
 namespace surpass {
@@ -82,17 +83,20 @@ Result<void> Agreement::check_fixed() const {
 
 Result<void> Agreement::choose() {
   const FreeEquations::Rows scaled = equations_.factor.asDiagonal() * equations_.free;
+  std::vector<int> needed;
+  std::vector<int> chosen;
+  for (int row = 0; row < scaled.rows(); ++row) (is_chosen(row) ? chosen : needed).push_back(row);
   std::optional<DependentRow> impossible;
-  const RowChoice choice{[&](const DependentRow& d) {
-                           if (surely_contradicts(d)) impossible = d;
-                           return impossible.has_value();
-                         },
-                         [&](int row) { return is_chosen(row); }};
-  auto found = independent_rows(scaled, choice, system_.context);
+  const Suffices suffices = [&](const DependentRow& d) {
+    if (surely_contradicts(d)) impossible = d;
+    return impossible.has_value();
+  };
+  auto found = independent_rows(scaled, needed, suffices, system_.context);
   if (system_.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
   if (impossible) return contradicts(*impossible);
   if (!found) return not_told_apart();
   found_ = std::move(*found);
+  if (!chosen.empty()) add_dispensable(scaled, chosen, system_.context, found_);
   for (const DependentRow& d : found_.dependent) {
     if (auto ok = check_dependent(d); !ok) return ok;
   }
@@ -115,7 +119,7 @@ double Agreement::allowed_to(const DependentRow& d) const {
 
 // Whether it is missed even if all others are, too, by as much as is allowed.
 bool Agreement::surely_contradicts(const DependentRow& d) const {
-  if (equations_.factor[d.row] == 0 || is_chosen(d.row)) return false;
+  if (equations_.factor[d.row] == 0) return false;
   double allowed = allowed_to(d);
   for (const auto& [other, share] : d.shares) {
     allowed += std::abs(share) * equations_.factor[other] / equations_.factor[d.row] * kHolds;
@@ -144,20 +148,7 @@ tl::unexpected<Error> Agreement::contradicts(const DependentRow& d) const {
 }
 
 FreeEquations::Rows Agreement::picked_rows() const {
-  const Eigen::VectorXd& factor = equations_.factor;
-  std::vector<Eigen::Triplet<double>> picked;
-  int place = 0;
-  for (const int row : found_.independent) picked.emplace_back(place++, row, factor[row]);
-  for (const DependentRow& d : found_.near) {
-    picked.emplace_back(place, d.row, factor[d.row] / d.distance);
-    for (const auto& [other, share] : d.shares) {
-      picked.emplace_back(place, other, -share / d.distance * factor[other]);
-    }
-    ++place;
-  }
-  FreeEquations::Rows pick(place, factor.size());
-  pick.setFromTriplets(picked.begin(), picked.end());
-  return pick;
+  return pick_of(found_, equations_.factor.size()) * equations_.factor.asDiagonal();
 }
 
 std::vector<unsigned char> Agreement::redundant() const {

@@ -12,6 +12,8 @@
 
 namespace surpass {
 
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
 /// A row that is a sum of others that are kept, but for `distance`.
 struct DependentRow {
   int row;
@@ -31,30 +33,30 @@ struct IndependentRows {
   std::vector<DependentRow> dependent;  ///< ascending
 };
 
-struct RowChoice {
-  /// Whether a dependent row, as it was found, makes it needless to look at more.
-  std::function<bool(const DependentRow&)> suffices;
-  /// Whether a row is not kept for what little it has of its own, nor where others that are not
-  /// dispensable would be expressed by it.
-  std::function<bool(int row)> is_dispensable;
-};
+/// Whether a dependent row, as it was found, makes it needless to look at more.
+using Suffices = std::function<bool(const DependentRow&)>;
 
-/// Rows have length 1, or 0. Those are looked at that lie within about 1e-4 of the span of the
-/// independent ones, or within a third where rows lie so densely that many are nearly dependent;
-/// how close is told to 1e-13 or so. Nothing where the context was cancelled, where a row sufficed,
-/// and where rows are so nearly dependent that they cannot be told apart.
-/// Method: the pivots of a Cholesky decomposition of the rows' products are the squared distances
-/// from the span of the rows before; it stays as sparse as the mesh, which a QR decomposition does
-/// not (on 3000 rows that took minutes). The few rows that look dependent are then expressed by the
-/// others - of repeated ones the later by the earlier - and the difference taken from the rows
-/// themselves, which loses no digits by squaring. Where it does not settle the others are nearly
-/// dependent themselves, though none on those before it, and more are looked at. Those that are
-/// nearly dependent go through near_rows(). More rows than columns are looked at in parts, with
-/// those that were kept before: what takes part at once is never more than twice the columns. Each
-/// is expressed in the time of two to six solutions; whether a dependent one suffices is asked at
-/// once, of the later row of a sum as far as is known by then.
-[[nodiscard]] std::optional<IndependentRows> independent_rows(
-    const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows, const RowChoice& choice,
-    const Context& context);
+/// Of the `list` of rows, ascending. They have length 1, or 0. Those are looked at that lie within
+/// about 1e-4 of the span of the independent ones, or within a third where rows lie so densely that
+/// many are nearly dependent; how close is told to 1e-13 or so. Nothing where the context was
+/// cancelled, where a row sufficed, and where rows are so nearly dependent that they cannot be told
+/// apart. Method: the pivots of a Cholesky decomposition of the rows' products are the squared
+/// distances from the span of the rows before; it stays as sparse as the mesh, which a QR
+/// decomposition does not (on 3000 rows that took minutes). The few rows that look dependent are
+/// then expressed by the others - of repeated ones the later by the earlier - and the difference
+/// taken from the rows themselves, which loses no digits by squaring. Where it does not settle the
+/// others are nearly dependent themselves, though none on those before it, and more are looked at.
+/// Those that are nearly dependent go through near_rows(). More rows than columns are looked at in
+/// parts, with those that were kept before: what takes part at once is never more than twice the
+/// columns. Each is expressed in the time of two to six solutions; whether a dependent one suffices
+/// is asked at once, of the later row of a sum as far as is known by then.
+[[nodiscard]] std::optional<IndependentRows> independent_rows(const RowMatrix& rows,
+                                                              const std::vector<int>& list,
+                                                              const Suffices& suffices,
+                                                              const Context& context);
+
+/// The matrix that makes of all rows those that are kept, the independent ones and the own parts of
+/// the near ones.
+[[nodiscard]] RowMatrix pick_of(const IndependentRows& found, Eigen::Index rows);
 
 }  // namespace surpass

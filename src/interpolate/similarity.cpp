@@ -3,17 +3,13 @@
 // Beyond the paper: the vectors form, preconditioned conjugate gradients in the place of Gauss and
 // Seidel, nothing assembled; and Halstead, Kass and DeRose's energies on the same machinery.
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "interpolate/linear_system.hpp"
-#include "interpolate/requirement_outcomes.hpp"
+#include "interpolate/required_solve.hpp"
 #include "interpolate/requirement_places.hpp"
 #include "interpolate/similarity_report.hpp"
-#include "interpolate/tangent_lengths.hpp"
-#include "interpolate/tangent_wishes.hpp"
-#include "mesh/wording.hpp"
 
 namespace surpass {
 
@@ -97,16 +93,6 @@ Result<void> carry_channels(const SimilarityPrepared& prepared, std::span<const 
   return {};
 }
 
-// `limits`: of the given vertices, on the surface that was found; `points`: what they are to be.
-SimilaritySolution solution_of(const SimilarityPrepared& prepared, Found& found,
-                               std::vector<Point> control, std::span<const Point> limits,
-                               std::span<const Point> points, double side, const Context& context) {
-  SimilaritySolution solution;
-  solution.points = std::move(control);
-  solution.report = similarity_report(prepared, found, limits, points, side, context);
-  return solution;
-}
-
 }  // namespace
 
 Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Point> reference,
@@ -120,10 +106,11 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Po
   auto found =
       find(prepared, {flat(points), flat(reference), 3, true, prepared.elimination}, context);
   if (!found) return tl::make_unexpected(found.error());
-  std::vector<Point> control = points_of(found->values);
-  const auto limits = limits_of(prepared, control, context);
-  SimilaritySolution solution = solution_of(prepared, *found, std::move(control), limits, points,
-                                            bounding_box(points).side(), context);
+  SimilaritySolution solution;
+  solution.points = points_of(found->values);
+  solution.report =
+      similarity_report(prepared, *found, limits_of(prepared, solution.points, context), points,
+                        bounding_box(points).side(), context);
   if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
     return tl::make_unexpected(ok.error());
   }
@@ -132,79 +119,13 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_like(std::span<const Po
 
 namespace {
 
-// Requirements that repeat an earlier one at their vertex, and those whose equations were dropped.
-void mark_redundant(const RequirementRows& equations, const Found& found,
-                    std::span<RequirementOutcome> outcomes) {
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const bool dropped = i < found.redundant.size() && found.redundant[i] != 0;
-    outcomes[i].redundant = dropped || equations.repeated[i] != 0;
-  }
-}
-
-// Nothing is nearer than 4 units in the last place of `points`.
-void judge_outcomes(std::span<const Requirement> requirements, std::span<const Point> points,
-                    double side, SimilarityReport& report) {
-  const double tolerance = floored_tolerance(kRequirementTolerance, flat(points), side);
-  auto notes = notes_on(requirements, report.requirements, tolerance);
-  if (tolerance > kRequirementTolerance && !all_met(report.requirements, kRequirementTolerance)) {
-    notes.push_back(fmt::format(
-        "requirements were held to {:.3g} of the box side only: so far from the origin coordinates "
-        "do not tell less apart; move the mesh there",
-        tolerance));
-  }
-  std::move(notes.begin(), notes.end(), std::back_inserter(report.solve.notes));
-  if (!all_met(report.requirements, tolerance)) report.solve.converged = false;
-}
-
-// Its points are not known yet.
-Mesh control_mesh(const SimilarityPrepared& prepared) {
-  Mesh control = prepared.refined;
-  control.points.resize(prepared.control_count());
-  return control;
-}
-
-// Again and again with lengths for the tangents that vanished or went the other way, which others
-// may for their sake. What cannot be solved with them stays as it was found without.
-Result<Found> find_with_tangents(const SimilarityPrepared& prepared, const Wanted& wanted,
-                                 RequirementRows& equations, const Context& context) {
-  constexpr int kMostRounds = 8;  // two are usual
-  auto found = find(prepared, wanted, context);
-  for (int round = 1; found && round < kMostRounds; ++round) {
-    const std::size_t before = equations.rows.size();
-    if (!add_tangent_lengths(wanted.requirements, points_of(found->values),
-                             points_of(found->reference), equations)) {
-      break;
-    }
-    auto again = find(prepared, wanted, context);
-    if (!again && again.error().code != ErrorCode::cancelled) {
-      equations.rows.resize(before);
-      break;
-    }
-    found = std::move(again);
-  }
-  return found;
-}
-
-void note_lengths(const RequirementRows& equations, std::span<const Requirement> requirements,
-                  SimilarityReport& report) {
-  const auto with = with_lengths(requirements.size(), equations);
-  const auto first = std::find(with.begin(), with.end(), 1);
-  if (first == with.end()) return;
-  const auto number = static_cast<std::size_t>(first - with.begin());
-  report.solve.notes.push_back(fmt::format(
-      "the tangents of {} would have vanished or gone the other way and were given lengths, by the "
-      "reference; the first: "
-      "{}, {}",
-      counted(static_cast<std::size_t>(std::count(first, with.end(), 1)), "requirement",
-              "requirements"),
-      number, describe(requirements[number])));
-}
-
-Result<RequirementRows> equations_of(const SimilarityPrepared& prepared, const Mesh& control,
+Result<RequirementRows> equations_of(const SimilarityPrepared& prepared,
                                      std::span<const Requirement> requirements,
                                      std::span<const Point> points, const Context& context) {
   Mesh given = prepared.given;
   given.points.assign(points.begin(), points.end());
+  Mesh control = prepared.refined;
+  control.points.resize(prepared.control_count());  // they are not known yet
   return requirement_rows(control, prepared.options.rules, given, requirements, context);
 }
 
@@ -223,42 +144,17 @@ Result<SimilaritySolution> SimilarityInterpolator::solve_required(
   if (auto ok = check_input(prepared, reference, points); !ok) {
     return tl::make_unexpected(ok.error());
   }
-  const Rules& rules = prepared.options.rules;
   const std::vector<Requirement> asked = canonical(requirements);
-  Mesh control = control_mesh(prepared);
-  auto equations = equations_of(prepared, control, asked, points, context);
+  auto equations = equations_of(prepared, asked, points, context);
   if (!equations) return tl::make_unexpected(equations.error());
-  auto released = Elimination::build(prepared.elimination.limits(),
-                                     static_cast<Index>(prepared.control_count()), context,
-                                     equations->released);
+  const auto released = Elimination::build(prepared.elimination.limits(),
+                                           static_cast<Index>(prepared.control_count()), context,
+                                           equations->released);
   if (!released) return tl::make_unexpected(released.error());
-  std::vector<Point>& targets = equations->targets;
-  auto found = find_with_tangents(prepared,
-                                  {flat(std::span<const Point>(targets)), flat(reference), 3, true,
-                                   *released, &*equations, asked},
-                                  *equations, context);
-  if (!found) return tl::make_unexpected(found.error());
-  control.points = points_of(found->values);
-  const double extent = bounding_box(targets).side();
-  const double side = extent > 0 ? extent : 1;
-  // Nothing is missed at vertices that were let go.
-  const auto limits = limits_of(prepared, control.points, context);
-  for (std::size_t v = 0; v < equations->released.size(); ++v) {
-    if (equations->released[v] != 0) targets[v] = limits[v];
-  }
-  SimilaritySolution solution =
-      solution_of(prepared, *found, control.points, limits, targets, extent, context);
-  if (auto ok = check_planes(asked, *equations, control.points, side, found->opposed); !ok) {
-    return tl::make_unexpected(ok.error());
-  }
-  auto outcomes = requirement_outcomes(control, rules, limits, *equations, asked, side, context);
-  if (!outcomes) return tl::make_unexpected(outcomes.error());
-  solution.report.requirements = std::move(*outcomes);
-  mark_redundant(*equations, *found, solution.report.requirements);
-  note_lengths(*equations, asked, solution.report);
-  judge_outcomes(asked, targets, side, solution.report);
-  solution.targets = std::move(targets);
-  if (auto ok = carry_channels(prepared, channels, context, solution); !ok) {
+  auto solution =
+      solve_required_task({prepared, asked, *released, reference}, std::move(*equations), context);
+  if (!solution) return solution;
+  if (auto ok = carry_channels(prepared, channels, context, *solution); !ok) {
     return tl::make_unexpected(ok.error());
   }
   return solution;
@@ -271,8 +167,7 @@ Result<std::vector<Point>> SimilarityInterpolator::reference(
   if (auto ok = check_input(prepared, own, points); !ok) return tl::make_unexpected(ok.error());
   std::vector<Point> targets(points.begin(), points.end());
   if (!requirements.empty()) {
-    auto equations =
-        equations_of(prepared, control_mesh(prepared), canonical(requirements), points, context);
+    auto equations = equations_of(prepared, canonical(requirements), points, context);
     if (!equations) return tl::make_unexpected(equations.error());
     targets = std::move(equations->targets);
   }

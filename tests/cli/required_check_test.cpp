@@ -121,6 +121,20 @@ TEST_F(RequiredCheck, FailsWhatWasMadeWithoutThem) {
   }
 }
 
+// Errors are relative to the box of the given points, also of those that are removed.
+TEST_F(RequiredCheck, RemovedVerticesDoNotShrinkTheBox) {
+  make({"--method", "similarity"});
+  const Mesh given = read_mesh(given_)->mesh;
+  Point aside = given.points[13];
+  aside[2] += 0.1 * bounding_box(given.points).side();
+  std::vector<json> all = {{{"vertex", 13}, {"position", aside}}};
+  for (Index v = 0; v < given.vertex_count(); ++v) {
+    if (v != 13) all.push_back({{"vertex", v}, {"remove", true}});
+  }
+  const json report = check({"--requirements", list(all)}, 4);
+  EXPECT_NEAR(report["requirements"][0]["error"], 0.1, 1e-3);
+}
+
 // The surface of a mesh is that of the mesh refined once, and so are its derivatives.
 TEST_F(RequiredCheck, TakesControlMeshesOfTheGivenTopology) {
   make({"--scheme", "catmull-clark"});

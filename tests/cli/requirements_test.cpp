@@ -106,6 +106,18 @@ TEST_F(Requirements, ContradictionsAreNamedAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(control_));
 }
 
+// Two places so close that the surface goes 1e7 box sides far for them: rounding.
+TEST_F(Requirements, WhatRoundingMissesIsNamedAndNothingIsWritten) {
+  json beside = kPosition;
+  beside["uv"][0] = 0.5000001;
+  beside["position"][2] = 1.3;
+  const Outcome outcome = run(list({kNormal, kPosition, beside}));
+  EXPECT_EQ(outcome.status, 4) << outcome.err;
+  EXPECT_NE(outcome.err.find("(position on face 5"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("by rounding"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(control_));
+}
+
 // What the schema refuses, the program refuses, with a sentence.
 TEST_F(Requirements, WhatTheSchemaRefusesIsRefused) {
   const auto with = [](json entry, const char* key, const json& value) {

@@ -2,17 +2,27 @@
 #include "interpolate/independent_rows.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+
+#include "interpolate/dispensable_rows.hpp"
 
 namespace surpass::test {
 namespace {
 
 using Dense = Eigen::MatrixXd;
 
-const RowChoice kAll{[](const DependentRow&) { return false; }, [](int) { return false; }};
+bool no_row_suffices(const DependentRow&) { return false; }
+
+std::optional<IndependentRows> independent(const Dense& rows,
+                                           const Suffices& suffices = no_row_suffices) {
+  std::vector<int> all(static_cast<std::size_t>(rows.rows()));
+  std::iota(all.begin(), all.end(), 0);
+  return independent_rows(rows.sparseView(), all, suffices, {});
+}
 
 // Values of polynomials at places, in blocks that have no column in common; and of every third
 // place the same once more. The shorter the part of [0, 1] where they are, the nearer to dependent.
@@ -47,7 +57,7 @@ TEST(IndependentRows, AreAsManyAsTheRank) {
   for (const double part : {1.0, 0.3, 0.1}) {
     SCOPED_TRACE(part);
     const Dense rows = polynomials(5, 40, 6, part, random);
-    const auto found = independent_rows(rows.sparseView(), kAll, {});
+    const auto found = independent(rows);
     ASSERT_TRUE(found);
     const Eigen::JacobiSVD<Dense> all(rows);
     ASSERT_GT(all.singularValues()[34], 10 * kDependent);
@@ -63,7 +73,7 @@ TEST(IndependentRows, KeepWhatIsNotDependentAndNoMore) {
   for (const double part : {0.3, 0.1, 0.03, 0.01}) {
     SCOPED_TRACE(part);
     const Dense rows = polynomials(1, 60, 9, part, random);
-    const auto found = independent_rows(rows.sparseView(), kAll, {});
+    const auto found = independent(rows);
     ASSERT_TRUE(found);
     std::vector<Eigen::RowVectorXd> own;
     for (const int row : found->independent) own.push_back(rows.row(row));
@@ -85,7 +95,7 @@ TEST(IndependentRows, KeepWhatIsNotDependentAndNoMore) {
 TEST(IndependentRows, OfRepeatedOnesTheFirstIsKept) {
   std::mt19937 random(7);
   const Dense rows = polynomials(4, 9, 9, 1, random);
-  const auto found = independent_rows(rows.sparseView(), kAll, {});
+  const auto found = independent(rows);
   ASSERT_TRUE(found);
   ASSERT_EQ(found->dependent.size(), 12U);
   for (const DependentRow& d : found->dependent) {
@@ -99,10 +109,46 @@ TEST(IndependentRows, LookNoFurtherThanTheFirstThatSuffices) {
   std::mt19937 random(9);
   const Dense rows = polynomials(4, 60, 6, 0.5, random);
   int asked = 0;
-  const RowChoice choice{[&](const DependentRow&) { return ++asked == 2; },
-                         [](int) { return false; }};
-  EXPECT_FALSE(independent_rows(rows.sparseView(), choice, {}));
+  EXPECT_FALSE(independent(rows, [&](const DependentRow&) { return ++asked == 2; }));
   EXPECT_EQ(asked, 2);
+}
+
+// Rows that are met only where nothing is the worse for it: all that are kept lie far from the span
+// of the others that are, and of those that are not, none lies far from it.
+TEST(DispensableRows, AreKeptWhereTheyAreFar) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> any;
+  for (const int needed : {0, 5, 12, 18}) {
+    for (const double apart : {1e-1, 1e-3, 1e-6, 1e-9, 0.0}) {
+      SCOPED_TRACE(testing::Message() << needed << " needed, apart " << apart);
+      const int columns = 20;
+      const int spare = 9;
+      Dense rows(needed + spare, columns);
+      for (double& x : rows.reshaped()) x = any(random);
+      // Every third is nearly a sum of those before.
+      for (int i = needed + 2; i < rows.rows(); i += 3) {
+        rows.row(i) = rows.topRows(i).colwise().sum() + apart * rows.row(i);
+      }
+      rows.rowwise().normalize();
+      std::vector<int> first(static_cast<std::size_t>(needed));
+      std::iota(first.begin(), first.end(), 0);
+      std::vector<int> dispensable(spare);
+      std::iota(dispensable.begin(), dispensable.end(), needed);
+      const RowMatrix sparse = rows.sparseView();
+      auto found = independent_rows(sparse, first, no_row_suffices, {}).value();
+      add_dispensable(sparse, dispensable, {}, found);
+      const Dense kept = pick_of(found, rows.rows()) * rows;
+      const Dense span =
+          kept.transpose().householderQr().householderQ() * Dense::Identity(columns, kept.rows());
+      ASSERT_EQ(found.independent.size() + found.dependent.size(),
+                static_cast<std::size_t>(rows.rows()));
+      EXPECT_GT(Eigen::JacobiSVD<Dense>(kept).singularValues().minCoeff(), 1e-3);
+      for (const DependentRow& d : found.dependent) {
+        const Eigen::RowVectorXd row = rows.row(d.row);
+        EXPECT_LT((row - row * span * span.transpose()).norm(), 0.1) << d.row;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -147,6 +147,50 @@ TEST_F(ManyRequirements, BesideAGivenVertexAreMet) {
   }
 }
 
+double width_of(const std::vector<Point>& points) { return bounding_box(points).side(); }
+
+// Directions and normals are met by a point, and the fairest surface of all is one: then some
+// tangents get lengths, but not so many that they contradict each other.
+TEST_F(ManyRequirements, OfTangentsAloneDoNotShrinkTheSurfaceToAPoint) {
+  std::vector<Requirement> all;
+  for (Index v = 1; v < 8; ++v) all.push_back(test::at_vertex(Kind::remove, v));
+  for (const auto form : {Similarity::fair, Similarity::directions, Similarity::vectors}) {
+    const auto solver = SimilarityInterpolator::create(test::cube(), {.similarity = form}).value();
+    for (const Kind kind : {Kind::normal, Kind::direction}) {
+      for (const int n : {1, 2, 3}) {
+        SCOPED_TRACE(testing::Message()
+                     << name_of(form) << ' ' << (kind == Kind::normal ? "normals" : "directions")
+                     << ' ' << n);
+        std::vector<Requirement> asked = all;
+        for (const Requirement& r : on_quarters(kind, 24, n)) asked.push_back(r);
+        const auto found = solver.solve_required(asked, given_);
+        ASSERT_TRUE(found) << describe(found.error());
+        EXPECT_TRUE(found->report.solve.converged);
+        for (const RequirementOutcome& outcome : found->report.requirements) {
+          EXPECT_LT(outcome.error, 1e-11);
+        }
+        EXPECT_GT(width_of(found->points), 0.05 * width_of(given_));
+        EXPECT_LT(width_of(found->points), 20 * width_of(given_));
+      }
+    }
+  }
+}
+
+// Two places less than 1e-9 apart are one, but for what normals may differ there.
+TEST_F(ManyRequirements, NormalsBesideEachOtherDifferByWhatTheSurfaceDoes) {
+  const LimitSurface surface = LimitSurface::create(control_, SimilarityOptions{}.rules).value();
+  const auto normal_at = [&](double u, double v) {
+    return test::on_face(Kind::normal, {2, u, v, 1}, surface.evaluate({9, u, v}).value().normal);
+  };
+  const Requirement one = normal_at(0.5, 0.5);
+  Requirement beside = normal_at(0.5 + 5e-10, 0.5);
+  EXPECT_GE(needed({one, beside}), 1U);
+  beside.value[0] += 1e-3;
+  const auto refused = solver_.solve_required(std::vector{one, beside}, given_);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
+}
+
 TEST_F(ManyRequirements, ThatNoSurfaceMeetsAreRefused) {
   std::vector<Requirement> many;
   for (int k = 0; k < 4000; ++k) {

@@ -1,0 +1,15 @@
+// Rows that are met only where nothing else is the worse for it.
+#pragma once
+
+#include "interpolate/independent_rows.hpp"
+
+namespace surpass {
+
+/// Keeps those of the `dispensable` rows, ascending, that are far from the span of all that is kept
+/// and of each other - so none is kept for what little it has of its own - the farthest first. What
+/// the others are is told as far as it can be. Method: as independent_rows() where all are far;
+/// otherwise each is expressed, and near_rows() chooses.
+void add_dispensable(const RowMatrix& rows, const std::vector<int>& dispensable,
+                     const Context& context, IndependentRows& found);
+
+}  // namespace surpass

@@ -1,0 +1,121 @@
+#include "interpolate/required_solve.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpolate/requirement_outcomes.hpp"
+#include "interpolate/similarity_report.hpp"
+#include "interpolate/tangent_lengths.hpp"
+#include "interpolate/tangent_wishes.hpp"
+#include "mesh/wording.hpp"
+
+namespace surpass {
+namespace {
+
+// Requirements that repeat an earlier one at their vertex, and those whose equations were dropped.
+void mark_redundant(const RequirementRows& equations, const Found& found,
+                    std::span<RequirementOutcome> outcomes) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const bool dropped = i < found.redundant.size() && found.redundant[i] != 0;
+    outcomes[i].redundant = dropped || equations.repeated[i] != 0;
+  }
+}
+
+// Nothing is nearer than 4 units in the last place of `points`.
+void judge_outcomes(std::span<const Requirement> requirements, std::span<const Point> points,
+                    double side, SimilarityReport& report) {
+  const double tolerance = floored_tolerance(kRequirementTolerance, flat(points), side);
+  auto notes = notes_on(requirements, report.requirements, tolerance);
+  if (tolerance > kRequirementTolerance && !all_met(report.requirements, kRequirementTolerance)) {
+    notes.push_back(fmt::format(
+        "requirements were held to {:.3g} of the box side only: so far from the origin coordinates "
+        "do not tell less apart; move the mesh there",
+        tolerance));
+  }
+  std::move(notes.begin(), notes.end(), std::back_inserter(report.solve.notes));
+  if (!all_met(report.requirements, tolerance)) report.solve.converged = false;
+}
+
+// Again and again with lengths for the tangents that vanished or went the other way, which others
+// may for their sake. What cannot be solved with them stays as it was found without.
+Result<Found> find_with_tangents(const RequiredTask& task, RequirementRows& equations,
+                                 const Context& context) {
+  constexpr int kMostRounds = 8;  // two are usual
+  const Wanted wanted{flat(std::span<const Point>(equations.targets)),
+                      flat(task.reference),
+                      3,
+                      true,
+                      task.released,
+                      &equations,
+                      task.requirements};
+  auto found = find(task.prepared, wanted, context);
+  for (int round = 1; found && round < kMostRounds; ++round) {
+    const std::size_t before = equations.rows.size();
+    if (!add_tangent_lengths(wanted.requirements, points_of(found->values),
+                             points_of(found->reference), equations)) {
+      break;
+    }
+    auto again = find(task.prepared, wanted, context);
+    if (!again && again.error().code != ErrorCode::cancelled) {
+      equations.rows.resize(before);
+      break;
+    }
+    found = std::move(again);
+  }
+  return found;
+}
+
+void note_lengths(const RequirementRows& equations, std::span<const Requirement> requirements,
+                  SimilarityReport& report) {
+  const auto with = with_lengths(requirements.size(), equations);
+  const auto first = std::find(with.begin(), with.end(), 1);
+  if (first == with.end()) return;
+  const auto number = static_cast<std::size_t>(first - with.begin());
+  report.solve.notes.push_back(fmt::format(
+      "the tangents of {} would have vanished or gone the other way and were given lengths, by the "
+      "reference; the first: "
+      "{}, {}",
+      counted(static_cast<std::size_t>(std::count(first, with.end(), 1)), "requirement",
+              "requirements"),
+      number, describe(requirements[number])));
+}
+
+}  // namespace
+
+Result<SimilaritySolution> solve_required_task(const RequiredTask& task, RequirementRows equations,
+                                               const Context& context) {
+  const SimilarityPrepared& prepared = task.prepared;
+  auto found = find_with_tangents(task, equations, context);
+  if (!found) return tl::make_unexpected(found.error());
+  Mesh control = prepared.refined;
+  control.points = points_of(found->values);
+  std::vector<Point>& targets = equations.targets;
+  const double extent = bounding_box(targets).side();
+  const double side = extent > 0 ? extent : 1;
+  // Nothing is missed at vertices that were let go.
+  const auto limits = limits_of(prepared, control.points, context);
+  for (std::size_t v = 0; v < equations.released.size(); ++v) {
+    if (equations.released[v] != 0) targets[v] = limits[v];
+  }
+  SimilaritySolution solution;
+  solution.points = control.points;
+  solution.report = similarity_report(prepared, *found, limits, targets, extent, context);
+  if (auto ok = check_planes(task.requirements, equations, control.points, side, found->opposed);
+      !ok) {
+    return tl::make_unexpected(ok.error());
+  }
+  auto outcomes = requirement_outcomes(control, prepared.options.rules, limits, equations,
+                                       task.requirements, side, context);
+  if (!outcomes) return tl::make_unexpected(outcomes.error());
+  solution.report.requirements = std::move(*outcomes);
+  mark_redundant(equations, *found, solution.report.requirements);
+  note_lengths(equations, task.requirements, solution.report);
+  judge_outcomes(task.requirements, targets, side, solution.report);
+  solution.targets = std::move(targets);
+  return solution;
+}
+
+}  // namespace surpass
