@@ -291,8 +291,11 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
 Result<void> Interpolate::prepare(const Mesh& given, Session& session) {
   if (method_ != Method::progressive) {
     const auto prepared = similar_.prepare(method_, options_, rules_, given, session);
-    return prepared ? surface_.check(similar_.control()) : prepared;
+    if (!prepared) return prepared;
+    if (const auto fits = output_.check(similar_.control(), output_.path()); !fits) return fits;
+    return surface_.check(similar_.control());
   }
+  if (const auto fits = output_.check(given, output_.path()); !fits) return fits;
   Result<Interpolator> solver = session.timed(
       "topology", [&] { return Interpolator::create(given, options_, session.context); });
   if (!solver) return tl::make_unexpected(solver.error());
@@ -367,14 +370,10 @@ Result<Certificate> Interpolate::certify_listed(const std::vector<Point>& limit,
     listed_limit.push_back(limit[v]);
     listed_given.push_back(given[v]);
   }
-  Result<Certificate> found = compare_points(listed_limit, listed_given, "surpass");
-  if (!found) return found;
   // Relative to the whole mesh, as all errors are.
-  const double side = bounding_box(given).side();
-  const double scale = found->box_side / (side > 0 ? side : 1);
-  found->max *= scale;
-  found->mean *= scale;
-  found->box_side /= scale;
+  Result<Certificate> found =
+      compare_points(listed_limit, listed_given, "surpass", bounding_box(given).side());
+  if (!found) return found;
   if (!certified_->empty()) found->worst_vertex = (*certified_)[found->worst_vertex];
   return found;
 }
@@ -382,7 +381,6 @@ Result<Certificate> Interpolate::certify_listed(const std::vector<Point>& limit,
 Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   const auto surface = surface_.make(control, options_.rules, session);
   if (!surface) return tl::make_unexpected(surface.error());
-  if (const auto fits = output_.check(control, output_.path()); !fits) return fits;
   if (const auto fits = surface_.check(*surface, output_); !fits) return fits;
   if (const auto fits = similar_.check_reference(output_); !fits) return fits;
   if (const auto written = output_.write(control, session); !written) return written;

@@ -111,7 +111,10 @@ std::string remedy(const Error& error) {
     case ErrorCode::degenerate_face:
     case ErrorCode::duplicate_face: return "--repair drops such faces";
     case ErrorCode::unsuitable_for_scheme:
-      return error.place.face ? "--triangulate cuts polygons into triangles" : "";
+      // It cuts what is read: what is to be written may have polygons all the same.
+      return error.place.face && error.place.file.empty()
+                 ? "--triangulate cuts polygons into triangles"
+                 : "";
     case ErrorCode::singular: return "--skip-component N leaves component N as it is";
     default: return {};
   }

@@ -6,6 +6,7 @@
 #include <surpass/requirements.hpp>
 #include <surpass/scheme.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,10 +62,12 @@ struct RequiredCertificate {
 /// are not theirs: as certify() has it.
 [[nodiscard]] Result<void> check_vertex_counts(const Mesh& control, std::size_t given);
 
-/// The distances themselves: compares #V limit points with as many given ones.
+/// The distances themselves: compares #V limit points with as many given ones. `side`: what they
+/// are relative to, if not the longest side of the given points' box.
 [[nodiscard]] Result<Certificate> compare_points(std::span<const Point> limit,
                                                  std::span<const Point> given,
-                                                 std::string evaluator);
+                                                 std::string evaluator,
+                                                 std::optional<double> side = {});
 
 /// Distances from one surface to another, both as polygon meshes (polygons cut into triangles).
 struct OneSided {

@@ -84,7 +84,7 @@ struct SimilarityOptions {
   /// The iteration ends when the residual of the linear system is this part of the residual at its
   /// start, the reference. The surface interpolates however large it is.
   double solver_tolerance = 1e-2;
-  unsigned max_iterations = 1000;
+  unsigned max_iterations = 10000;
   /// Largest distance allowed between a given point and its limit point, as in InterpolateOptions.
   double tolerance = 1e-9;
 };

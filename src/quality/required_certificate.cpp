@@ -103,7 +103,7 @@ Result<RequiredCertificate> certify_required(const Mesh& control, const Mesh& gi
   auto outcomes = requirement_outcomes(*refined, rules, *limits, *equations, asked, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   certificate.outcomes = std::move(*outcomes);
-  auto vertices = compare_points(*limits, certificate.targets, "surpass");
+  auto vertices = compare_points(*limits, certificate.targets, "surpass", side);
   if (!vertices) return tl::make_unexpected(vertices.error());
   certificate.vertices = std::move(*vertices);
   return certificate;

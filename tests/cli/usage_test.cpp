@@ -165,6 +165,23 @@ TEST(Usage, FormatsAreCheckedBeforeAnythingIsWritten) {
   }
 }
 
+// --triangulate cuts what is read, and a control mesh of similarity has quadrilaterals all the
+// same.
+TEST(Usage, TrianglesAreAdvisedWhereTheyHelp) {
+  const TempFolder folder;
+  const std::string hint = "--triangulate cuts polygons";
+  const Outcome converted = surpass({"convert", data("quad_torus.obj"), folder / "t.stl"});
+  EXPECT_EQ(converted.status, 3);
+  EXPECT_NE(converted.err.find(hint), std::string::npos) << converted.err;
+  EXPECT_EQ(surpass({"convert", data("quad_torus.obj"), folder / "t.stl", "--triangulate"}).status,
+            0);
+  const Outcome similar =
+      surpass({"interpolate", data("quad_torus.obj"), "-o", folder / "s.stl", "--method",
+               "similarity", "--triangulate", "--scheme", "catmull-clark"});
+  EXPECT_EQ(similar.status, 3);
+  EXPECT_EQ(similar.err.find(hint), std::string::npos) << similar.err;
+}
+
 TEST(Usage, ForceReplacesTheInput) {
   const TempFolder folder;
   const std::string given = folder.file("given.obj", slurp(data("octahedron.obj")));
