@@ -191,10 +191,11 @@ def summary(results):
     return "\n".join(lines) + "\n"
 
 
-def draw(surpass, control, picture):
+def draw(surpass, controls, picture):
+    """All from the same place, close enough to tell their lines apart, in two rows."""
     picture.parent.mkdir(parents=True, exist_ok=True)
-    subprocess.run([surpass, "render", control, "-o", picture, "--levels", "3", "--size", "360x270",
-                    "--scheme", "catmull-clark", "--style", "reflection", "--quiet"], check=True)
+    subprocess.run([surpass, "render", *controls, "-o", picture, "--levels", "3", "--size", "360x270", "--columns", "2",
+                    "--camera", "30,20,2.5", "--scheme", "catmull-clark", "--style", "reflection", "--quiet"], check=True)
 
 
 def machine():
@@ -242,14 +243,12 @@ def measure_all(arguments, meshes):
         for mesh in meshes:
             print(mesh, file=sys.stderr)
             kept[mesh], controls = one_mesh(surpass, arguments.data / mesh, pathlib.Path(name))
-            for (stop, method), control in controls.items():
-                if stop == LOOSE:
-                    draw(surpass, control, arguments.docs / picture(mesh, method))
+            draw(surpass, [controls[LOOSE, method] for method, _, _ in METHODS], arguments.docs / picture(mesh))
     return kept
 
 
-def picture(mesh, method):
-    return pathlib.Path("images/comparison") / f"{pathlib.Path(mesh).stem}.{method}.png"
+def picture(mesh):
+    return pathlib.Path("images/comparison") / f"{pathlib.Path(mesh).stem}.png"
 
 
 def in_all(results, where):
@@ -269,9 +268,9 @@ def section(mesh, found):
     text = f"\n## {mesh}\n"
     for stop in STOPS:
         text += f"\nAt {stop}:\n\n" + table(found[stop])
-    shown = {method: picture(mesh, method) for method in found[LOOSE]}
-    text += "\n| " + " | ".join(shown) + " |\n" + "|---" * len(shown) + "|\n"
-    text += "| " + " | ".join(f"![{m}]({p})" for m, p in shown.items()) + " |\n"
+    names = [f"`{method}`" for method, _, _ in METHODS]
+    text += f"\nReflection lines on a part, at {LOOSE}: {' and '.join(names[:2])} above, {' and '.join(names[2:])} below.\n"
+    text += f"\n![Reflection lines of all methods on {pathlib.Path(mesh).stem}]({picture(mesh)})\n"
     shares = {f"{100 * f['left out']:.1f}" for stop in STOPS for f in found[stop].values()}
     shares = sorted(shares, key=float)
     return text + f"\nLeft out: {' to '.join(dict.fromkeys((shares[0], shares[-1])))} % of the area.\n"

@@ -103,7 +103,8 @@ Result<SimilaritySolution> solve_required_task(const RequiredTask& task, Require
   SimilaritySolution solution;
   solution.points = control.points;
   solution.report = similarity_report(prepared, *found, limits, targets, extent, context);
-  if (auto ok = check_planes(task.requirements, equations, control.points, side, found->opposed);
+  if (auto ok = check_planes(task.requirements, equations, control.points,
+                             points_of(found->reference), side, found->opposed);
       !ok) {
     return tl::make_unexpected(ok.error());
   }

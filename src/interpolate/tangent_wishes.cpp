@@ -121,8 +121,15 @@ Result<void> check_group(const Numbers& group, std::span<const Requirement> requ
 }
 
 bool collapsed(const Eigen::Matrix3Xd& tangents, double side) {
-  constexpr double kNothing = 1e-12;
+  constexpr double kNothing = 10 * kRequirementTolerance;  // then what is across them is met anyhow
   return tangents.colwise().norm().minCoeff() <= kNothing * side || sine_between(tangents) <= kSame;
+}
+
+// Whether next to nothing is left of the reference's tangents.
+bool shrunk(const Eigen::Matrix3Xd& tangents, const Eigen::Matrix3Xd& reference) {
+  constexpr double kNextToNothing = 1e-6;
+  return (tangents.colwise().norm().array() <= kNextToNothing * reference.colwise().norm().array())
+      .any();
 }
 
 // The weights of a position that are not nothing, by columns.
@@ -198,7 +205,8 @@ Result<void> check_places(std::span<const Requirement> requirements,
 
 std::vector<std::size_t> without_tangents(std::span<const Requirement> requirements,
                                           const RequirementRows& equations,
-                                          std::span<const Point> control, double side) {
+                                          std::span<const Point> control,
+                                          std::span<const Point> reference, double side) {
   Numbers found;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Kind kind = requirements[i].kind;
@@ -206,15 +214,19 @@ std::vector<std::size_t> without_tangents(std::span<const Requirement> requireme
     if (!found.empty() && equations.first_there[i] != equations.first_there[found.front()]) {
       continue;
     }
-    if (collapsed(tangents_on(control, equations, i, kind), side)) found.push_back(i);
+    const Eigen::Matrix3Xd tangents = tangents_on(control, equations, i, kind);
+    const bool gone =
+        !reference.empty() && shrunk(tangents, tangents_on(reference, equations, i, kind));
+    if (gone || collapsed(tangents, side)) found.push_back(i);
   }
   return found;
 }
 
 Result<void> check_planes(std::span<const Requirement> requirements,
                           const RequirementRows& equations, std::span<const Point> control,
-                          double side, const std::set<std::size_t>& opposed) {
-  const auto found = without_tangents(requirements, equations, control, side);
+                          std::span<const Point> reference, double side,
+                          const std::set<std::size_t>& opposed) {
+  const auto found = without_tangents(requirements, equations, control, reference, side);
   if (found.empty()) return {};
   // All that take part: those of the place, and those by which lengths were given up.
   std::set<std::size_t> involved = opposed;

@@ -28,11 +28,12 @@ namespace surpass {
                                         const RequirementRows& equations);
 
 /// Normals and directions at places where `control`'s surface has tangents of no length or no
-/// plane, so that equations say nothing: the numbers of those at the first such place. `side` of
-/// the box.
+/// plane, or next to none of those of `reference`, if there is one, so that equations say nothing:
+/// the numbers of those at the first such place. `side` of the box.
 [[nodiscard]] std::vector<std::size_t> without_tangents(std::span<const Requirement> requirements,
                                                         const RequirementRows& equations,
                                                         std::span<const Point> control,
+                                                        std::span<const Point> reference,
                                                         double side);
 
 /// Fails with `contradictory`, naming all requirements of tangents there and `opposed` ones, where
@@ -40,7 +41,8 @@ namespace surpass {
 /// final surface, `control`.
 [[nodiscard]] Result<void> check_planes(std::span<const Requirement> requirements,
                                         const RequirementRows& equations,
-                                        std::span<const Point> control, double side,
+                                        std::span<const Point> control,
+                                        std::span<const Point> reference, double side,
                                         const std::set<std::size_t>& opposed);
 
 }  // namespace surpass

@@ -65,7 +65,7 @@ void aim(const RequirementRows& equations, std::span<const Point> limits, const 
 Result<void> check_tangents_exist(std::span<const Requirement> requirements,
                                   const RequirementRows& equations, const Mesh& refined,
                                   double side) {
-  const auto found = without_tangents(requirements, equations, refined.points, side);
+  const auto found = without_tangents(requirements, equations, refined.points, {}, side);
   if (found.empty()) return {};
   const Requirement& r = requirements[found.front()];
   return fail(ErrorCode::not_converged,

@@ -118,6 +118,15 @@ TEST_F(Requirements, WhatRoundingMissesIsNamedAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(control_));
 }
 
+// The fairest surface through one point is that point.
+TEST_F(Requirements, ASurfaceThatShrankIsNoted) {
+  std::vector<json> removed;
+  for (int v = 1; v < 160; ++v) removed.push_back({{"vertex", v}, {"remove", true}});
+  const Outcome outcome = run(list(removed), {"--method", "fair"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("has shrunk to"), std::string::npos) << outcome.err;
+}
+
 // What the schema refuses, the program refuses, with a sentence.
 TEST_F(Requirements, WhatTheSchemaRefusesIsRefused) {
   const auto with = [](json entry, const char* key, const json& value) {

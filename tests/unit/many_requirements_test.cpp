@@ -176,6 +176,22 @@ TEST_F(ManyRequirements, OfTangentsAloneDoNotShrinkTheSurfaceToAPoint) {
   }
 }
 
+// So many that only a point does them all, which is no surface.
+TEST_F(ManyRequirements, OfTangentsThatOnlyAPointMeetsAreRefused) {
+  for (const double wrong : {1e-3, 1e-5, 1e-7}) {
+    SCOPED_TRACE(wrong);
+    std::vector<Requirement> all;
+    for (Index v = 1; v < 8; ++v) all.push_back(test::at_vertex(Kind::remove, v));
+    for (Requirement& r : on_quarters(Kind::direction, 24, 3)) {
+      r.value[all.size() % 3] += wrong * std::cos(all.size());
+      all.push_back(r);
+    }
+    const auto refused = solver_.solve_required(all, given_);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::contradictory);
+  }
+}
+
 // Two places less than 1e-9 apart are one, but for what normals may differ there.
 TEST_F(ManyRequirements, NormalsBesideEachOtherDifferByWhatTheSurfaceDoes) {
   const LimitSurface surface = LimitSurface::create(control_, SimilarityOptions{}.rules).value();
