@@ -269,7 +269,8 @@ def section(mesh, found):
     for stop in STOPS:
         text += f"\nAt {stop}:\n\n" + table(found[stop])
     names = [f"`{method}`" for method, _, _ in METHODS]
-    text += f"\nReflection lines on a part, at {LOOSE}: {' and '.join(names[:2])} above, {' and '.join(names[2:])} below.\n"
+    text += f"\nReflection lines on a part of each, stopped at {LOOSE}: "
+    text += f"{' and '.join(names[:2])} above, {' and '.join(names[2:])} below.\n"
     text += f"\n![Reflection lines of all methods on {pathlib.Path(mesh).stem}]({picture(mesh)})\n"
     shares = {f"{100 * f['left out']:.1f}" for stop in STOPS for f in found[stop].values()}
     shares = sorted(shares, key=float)
