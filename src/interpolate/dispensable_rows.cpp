@@ -1,9 +1,11 @@
 #include "interpolate/dispensable_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "interpolate/near_rows.hpp"
@@ -27,50 +29,85 @@ RowMatrix stacked(const RowMatrix& above, const RowMatrix& below) {
   return all;
 }
 
-// Whether no row is near to those that are decomposed before it.
-bool are_far_apart(const RowMatrix& rows, double least, const Context& context) {
-  SparseCholesky factor;
-  return factor.compute(products_of(rows), kShift, context) &&
-         (factor.pivots().array() >= least * least).all();
+// Of the length of a row. For the sake of a nearer one a surface would go farther than it asks by
+// the inverse.
+constexpr double kFar = 0.03;
+constexpr double kLargest = 1e6;  // of shares: few digits are needed to know what is far
+
+using Numbers = std::vector<int>;
+
+Numbers from_to(int begin, int end) {
+  Numbers numbers(static_cast<std::size_t>(end - begin));
+  std::iota(numbers.begin(), numbers.end(), begin);
+  return numbers;
 }
 
-// Those of `rest` that are far from all that is kept, and from each other.
-std::vector<int> independent_of(const IndependentRows& found, const RowMatrix& rows,
-                                const std::vector<int>& rest, const Context& context) {
-  // Of the length of a row. For the sake of a nearer one a surface would go farther than it asks by
-  // the inverse.
-  constexpr double kFar = 0.03;
-  constexpr double kLargest = 1e6;  // few digits are needed to know what is far
-  const RowMatrix kept = pick_of(found, rows.rows()) * rows;
-  const RowMatrix all = stacked(kept, picked(rows, rest));
-  if (all.rows() <= all.cols() && are_far_apart(all, kFar, context)) return rest;
-  std::vector<int> needed(static_cast<std::size_t>(kept.rows()));
-  std::iota(needed.begin(), needed.end(), 0);
-  const RowBasis basis(all, needed, context);
+// Of the rows from `first` on, which are dispensable, those that may be near to the span of others,
+// or others by them. Those before are independent, but may be near each other.
+Numbers in_doubt(const RowMatrix& rows, int first, const Context& context) {
+  const int count = static_cast<int>(rows.rows());
+  SparseCholesky factor;
+  if (!factor.compute(products_of(rows), kShift, context)) return from_to(first, count);
+  const Eigen::VectorXd pivots = factor.pivots();
+  Numbers near;
+  Numbers others;
+  for (int i = 0; i < count; ++i) (pivots[i] < kFar * kFar ? near : others).push_back(i);
+  std::set<int> doubtful;
+  const RowBasis basis(rows, others, context);
+  for (const int row : near) {
+    if (row >= first) {
+      doubtful.insert(row);
+      continue;
+    }
+    const auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargest);
+    if (!expressed) return from_to(first, count);
+    for (const auto& [other, share] : expressed->shares) {
+      // With less of it the row would be no farther without it.
+      const bool matters = std::abs(share) > std::max(kNoShare, expressed->distance);
+      if (other >= first && matters) doubtful.insert(other);
+    }
+  }
+  return {doubtful.begin(), doubtful.end()};
+}
+
+Numbers difference(const Numbers& all, const Numbers& without) {
+  Numbers rest;
+  std::set_difference(all.begin(), all.end(), without.begin(), without.end(),
+                      std::back_inserter(rest));
+  return rest;
+}
+
+// Of the rows from `first` on those that are far from the others that are kept.
+Numbers far_rows(const RowMatrix& rows, int first, const Context& context) {
+  const int count = static_cast<int>(rows.rows());
+  const Numbers doubtful = in_doubt(rows, first, context);
+  Numbers kept = difference(from_to(first, count), doubtful);
+  if (doubtful.empty()) return kept;
+  const Numbers sure = difference(from_to(0, count), doubtful);
+  const RowBasis basis(rows, sure, context);
   std::vector<DependentRow> far;
-  for (int row = static_cast<int>(kept.rows()); row < all.rows(); ++row) {
+  for (const int row : doubtful) {
     auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargest);
     if (expressed && expressed->distance > kFar) far.push_back(std::move(*expressed));
   }
-  std::vector<int> independent;
-  for (const DependentRow& d : near_rows(all, far, context).kept) {
-    if (d.distance > kFar)
-      independent.push_back(rest[static_cast<std::size_t>(d.row) - needed.size()]);
+  for (const DependentRow& d : near_rows(rows, far, context).kept) {
+    if (d.distance > kFar) kept.push_back(d.row);
   }
-  std::sort(independent.begin(), independent.end());
-  return independent;
+  std::sort(kept.begin(), kept.end());
+  return kept;
 }
 
 }  // namespace
 
 void add_dispensable(const RowMatrix& rows, const std::vector<int>& dispensable,
                      const Context& context, IndependentRows& found) {
-  const std::vector<int> kept = independent_of(found, rows, dispensable, context);
+  const RowMatrix needed = pick_of(found, rows.rows()) * rows;
+  const int first = static_cast<int>(needed.rows());
+  Numbers kept = far_rows(stacked(needed, picked(rows, dispensable)), first, context);
+  for (int& row : kept) row = dispensable[static_cast<std::size_t>(row - first)];
   found.independent.insert(found.independent.end(), kept.begin(), kept.end());
   std::sort(found.independent.begin(), found.independent.end());
-  std::vector<int> others;
-  std::set_difference(dispensable.begin(), dispensable.end(), kept.begin(), kept.end(),
-                      std::back_inserter(others));
+  const Numbers others = difference(dispensable, kept);
   if (others.empty()) return;
   const RowBasis basis(rows, found.independent, context);
   for (const int row : others) {

@@ -7,8 +7,9 @@ namespace surpass {
 
 /// Keeps those of the `dispensable` rows, ascending, that are far from the span of all that is kept
 /// and of each other - so none is kept for what little it has of its own - the farthest first. What
-/// the others are is told as far as it can be. Method: as independent_rows() where all are far;
-/// otherwise each is expressed, and near_rows() chooses.
+/// the others are is told as far as it can be. Method: pivots of a decomposition, as in
+/// independent_rows(), tell which rows are near others, and what these are expressed by tells which
+/// dispensable ones are to blame. Only those are expressed by the rest, and near_rows() chooses.
 void add_dispensable(const RowMatrix& rows, const std::vector<int>& dispensable,
                      const Context& context, IndependentRows& found);
 
