@@ -19,6 +19,7 @@ namespace {
 struct Findings {
   std::string table;    ///< a line for each thing that was compared
   double vertices = 0;  ///< the largest error of them by any evaluator
+  double side = 1;      ///< of the box that errors are relative to
   std::vector<Requirement> requirements = {};
   std::vector<RequirementOutcome> outcomes = {};  ///< #requirements
 };
@@ -177,19 +178,20 @@ class Check : public Command {
 
   static Findings findings_of(const Certificate& own, Session& session) {
     session.report["error"] = certificate_json(own);
-    return {line(own), own.max};
+    return {line(own), own.max, own.box_side};
   }
 
   Result<void> ask_oracle(const Mesh& control, std::span<const Point> aims, const Rules& rules,
                           Findings& findings, Session& session) const {
     if (!oracle_) return {};
-    const Result<Certificate> oracle =
+    const Result<Certificate> found =
         session.timed("verify", [&] { return certify_by_oracle(control, aims, rules); });
-    if (!oracle) return tl::make_unexpected(oracle.error());
-    session.console.notes(oracle->notes);
-    session.report["oracle"] = certificate_json(*oracle);
-    findings.table += line(*oracle);
-    findings.vertices = std::max(findings.vertices, oracle->max);
+    if (!found) return tl::make_unexpected(found.error());
+    const Certificate oracle = relative_to(findings.side, *found);
+    session.console.notes(oracle.notes);
+    session.report["oracle"] = certificate_json(oracle);
+    findings.table += line(oracle);
+    findings.vertices = std::max(findings.vertices, oracle.max);
     return {};
   }
 
@@ -219,8 +221,7 @@ class Check : public Command {
 
   Result<void> conclude(const Findings& findings, std::span<const Point> given, const Rules& rules,
                         Session& session) const {
-    const double side = bounding_box(given).side();
-    const double tolerance = floored_tolerance(tolerance_, flat(given), side > 0 ? side : 1);
+    const double tolerance = floored_tolerance(tolerance_, flat(given), findings.side);
     session.console.notes(notes_on(findings.requirements, findings.outcomes, tolerance));
     const auto [missed, worst] = missed_by_more(findings, tolerance);
     const bool within = missed.empty();

@@ -11,7 +11,6 @@
 #include "evaluator.hpp"
 #include "html_report.hpp"
 #include "interpolation_page.hpp"
-#include "levels.hpp"
 #include "mesh_input.hpp"
 #include "mesh_output.hpp"
 #include "nonstationary.hpp"
@@ -40,7 +39,8 @@ class Interpolate : public Command {
   Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given, Session& session) const;
   [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,
                                                            const Session& session) const;
-  Result<Verdict> verify(const Mesh& control, std::span<const Point> given, Session& session) const;
+  Result<Verdict> verify(const Mesh& control, std::span<const Point> given, double side,
+                         Session& session) const;
   Result<Certificate> certify_listed(const std::vector<Point>& limit,
                                      std::span<const Point> given) const;
   [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error,
@@ -172,7 +172,7 @@ Result<void> Interpolate::run(Session& session) {
   std::vector<Point> given;
   const Result<SolveReport> solved = solve(mesh, given, session);
   if (!solved) return tl::make_unexpected(solved.error());
-  const Result<Verdict> verdict = verify(mesh, given, session);
+  const Result<Verdict> verdict = verify(mesh, given, solved->box_side, session);
   if (!verdict) return tl::make_unexpected(verdict.error());
   if (!solved->solver.empty()) session.report["solver"] = solved->solver;
   add_solve_report(*solved, *verdict, session.report);
@@ -330,13 +330,16 @@ Result<std::vector<Point>> Interpolate::limit_positions(std::span<const Point> c
                  : similar_.limit_positions(control, session.context);
 }
 
-Result<Verdict> Interpolate::verify(const Mesh& control, std::span<const Point> given,
+/// Errors are relative to `side`, of the box of all that was given.
+Result<Verdict> Interpolate::verify(const Mesh& control, std::span<const Point> given, double side,
                                     Session& session) const {
   return session.timed("verify", [&]() -> Result<Verdict> {
     const auto certify = [&](std::span<const Point> points) -> Result<Certificate> {
       const auto limit = limit_positions(points, session);
       if (!limit) return tl::make_unexpected(limit.error());
-      return certify_listed(*limit, given);
+      const auto found = certify_listed(*limit, given);
+      if (!found) return found;
+      return relative_to(side, *found);
     };
     Verdict verdict;
     const Result<Certificate> exact = certify(control.points);
@@ -354,7 +357,7 @@ Result<Verdict> Interpolate::verify(const Mesh& control, std::span<const Point> 
       const Result<Certificate> oracle = certify_by_oracle(control, given, options_.rules);
       if (!oracle) return tl::make_unexpected(oracle.error());
       session.console.notes(oracle->notes);
-      verdict.oracle = *oracle;
+      verdict.oracle = relative_to(side, *oracle);
     }
     return verdict;
   });
@@ -370,9 +373,7 @@ Result<Certificate> Interpolate::certify_listed(const std::vector<Point>& limit,
     listed_limit.push_back(limit[v]);
     listed_given.push_back(given[v]);
   }
-  // Relative to the whole mesh, as all errors are.
-  Result<Certificate> found =
-      compare_points(listed_limit, listed_given, "surpass", bounding_box(given).side());
+  Result<Certificate> found = compare_points(listed_limit, listed_given, "surpass");
   if (!found) return found;
   if (!certified_->empty()) found->worst_vertex = (*certified_)[found->worst_vertex];
   return found;

@@ -262,12 +262,9 @@ Json Similar::report_of(const SimilarityReport& report) const {
   return similarity;
 }
 
-void Similar::note_size(std::span<const Point> given, std::span<const Point> targets,
-                        std::span<const Point> control, Session& session) const {
+void Similar::note_size(double side, std::span<const Point> control, Session& session) const {
   constexpr double kFarOut = 100;
   constexpr double kShrunk = 1e-3;
-  const double before = bounding_box(given).side();
-  const double side = std::max(before, bounding_box(targets).side());
   const double size = bounding_box(control).side();
   if (requirements_.empty() || !(side > 0)) return;
   if (size > kFarOut * side) {
@@ -275,11 +272,11 @@ void Similar::note_size(std::span<const Point> given, std::span<const Point> tar
         fmt::format("the control mesh is {:.3g} times as large as the given one: a requirement "
                     "asks for something that the surface can hardly do",
                     size / side));
-  } else if (size < kShrunk * before) {
+  } else if (size < kShrunk * side) {
     session.console.note(
         fmt::format("the control mesh has shrunk to {:.3g} of the given one: only next to nothing "
                     "of a surface does what is required",
-                    size / before));
+                    size / side));
   }
 }
 
@@ -291,7 +288,7 @@ Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Sessio
   if (!solution) return tl::make_unexpected(solution.error());
   session.report["similarity"] = report_of(solution->report);
   given = std::move(solution->targets);
-  note_size(mesh.points, given, solution->points, session);
+  note_size(solution->report.solve.box_side, solution->points, session);
   mesh = solver_->refined();
   mesh.points = std::move(solution->points);
   mesh.channels = std::move(solution->channels);

@@ -66,8 +66,8 @@ class Similar {
   [[nodiscard]] Result<void> make_reference(const Mesh& given, Session& session);
   void note_ring(Session& session) const;
   [[nodiscard]] Json report_of(const SimilarityReport& report) const;
-  void note_size(std::span<const Point> given, std::span<const Point> targets,
-                 std::span<const Point> control, Session& session) const;
+  /// `side` of the box that the surface was to fill.
+  void note_size(double side, std::span<const Point> control, Session& session) const;
 
   std::optional<Similarity> form_;
   std::optional<Scaling> scaling_;

@@ -6,7 +6,6 @@
 #include <surpass/requirements.hpp>
 #include <surpass/scheme.hpp>
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,12 +61,14 @@ struct RequiredCertificate {
 /// are not theirs: as certify() has it.
 [[nodiscard]] Result<void> check_vertex_counts(const Mesh& control, std::size_t given);
 
-/// The distances themselves: compares #V limit points with as many given ones. `side`: what they
-/// are relative to, if not the longest side of the given points' box.
+/// The distances themselves: compares #V limit points with as many given ones.
 [[nodiscard]] Result<Certificate> compare_points(std::span<const Point> limit,
                                                  std::span<const Point> given,
-                                                 std::string evaluator,
-                                                 std::optional<double> side = {});
+                                                 std::string evaluator);
+
+/// The same distances relative to another side, as where what was compared is a part of what was
+/// given; to 1 if it is 0.
+[[nodiscard]] Certificate relative_to(double side, Certificate certificate);
 
 /// Distances from one surface to another, both as polygon meshes (polygons cut into triangles).
 struct OneSided {

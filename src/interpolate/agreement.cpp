@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpolate/dispensable_rows.hpp"
+#include "interpolate/fewest_rows.hpp"
 #include "interpolate/requirement_places.hpp"
 
 namespace surpass {
@@ -29,11 +30,12 @@ tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t l
           ? fmt::format("requirement {} contradicts itself or the given vertices",
                         names_of(all, requirements))
           : fmt::format("requirements contradict each other: {}", names_of(all, requirements));
-  const Requirement& r = requirements[last];
+  const Requirement& r = requirements[all.front()];
   const bool at_vertex = all.size() == 1 && r.kind == Requirement::Kind::position &&
                          r.vertex == kNone && corner_at(r.place) != kNone;
   return fail(ErrorCode::contradictory,
-              fmt::format("{}; together they miss by {:.3g} of the box side{}", what, amount,
+              fmt::format("{}; {} by {:.3g} of the box side{}", what,
+                          all.size() == 1 ? "it misses" : "together they miss", amount,
                           at_vertex ? "; a given vertex lies there, which a position at the vertex "
                                       "moves"
                                     : ""),
@@ -82,21 +84,21 @@ Result<void> Agreement::check_fixed() const {
 }
 
 Result<void> Agreement::choose() {
-  const FreeEquations::Rows scaled = equations_.factor.asDiagonal() * equations_.free;
+  scaled_ = equations_.factor.asDiagonal() * equations_.free;
   std::vector<int> needed;
   std::vector<int> chosen;
-  for (int row = 0; row < scaled.rows(); ++row) (is_chosen(row) ? chosen : needed).push_back(row);
+  for (int row = 0; row < scaled_.rows(); ++row) (is_chosen(row) ? chosen : needed).push_back(row);
   std::optional<DependentRow> impossible;
   const Suffices suffices = [&](const DependentRow& d) {
     if (surely_contradicts(d)) impossible = d;
     return impossible.has_value();
   };
-  auto found = independent_rows(scaled, needed, suffices, system_.context);
+  auto found = independent_rows(scaled_, needed, suffices, system_.context);
   if (system_.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
   if (impossible) return contradicts(*impossible);
   if (!found) return not_told_apart();
   found_ = std::move(*found);
-  if (!chosen.empty()) add_dispensable(scaled, chosen, system_.context, found_);
+  if (!chosen.empty()) add_dispensable(scaled_, chosen, system_.context, found_);
   for (const DependentRow& d : found_.dependent) {
     if (auto ok = check_dependent(d); !ok) return ok;
   }
@@ -130,21 +132,30 @@ bool Agreement::surely_contradicts(const DependentRow& d) const {
 Result<void> Agreement::check_dependent(const DependentRow& d) {
   if (equations_.factor[d.row] == 0 || missed_by(d) <= allowed_to(d)) return {};
   if (!is_chosen(d.row)) return contradicts(d);
-  opposed_.merge(partners(d));
+  constexpr double kMatters = 1e-6;
+  opposed_.merge(partners(d, kMatters));
   return {};
 }
 
-std::set<std::size_t> Agreement::partners(const DependentRow& d) const {
-  constexpr double kMatters = 1e-6;
+std::set<std::size_t> Agreement::partners(const DependentRow& d, double least) const {
   std::set<std::size_t> others;
   for (const auto& [other, share] : d.shares) {
-    if (std::abs(share) > kMatters) others.insert(requirement_of(other));
+    if (std::abs(share) > least) others.insert(requirement_of(other));
   }
   return others;
 }
 
+// By as few others as say something else.
+DependentRow Agreement::shortest(const DependentRow& d) const {
+  const Suffices contradicts = [&](const DependentRow& e) {
+    return e.distance <= kDependent && missed_by(e) > allowed_to(e);
+  };
+  return by_fewest_rows(scaled_, d, contradicts, system_.context);
+}
+
 tl::unexpected<Error> Agreement::contradicts(const DependentRow& d) const {
-  return contradiction(partners(d), requirement_of(d.row), missed_by(d), requirements_);
+  const DependentRow few = shortest(d);
+  return contradiction(partners(few, 0), requirement_of(few.row), missed_by(few), requirements_);
 }
 
 FreeEquations::Rows Agreement::picked_rows() const {

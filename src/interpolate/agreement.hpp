@@ -52,15 +52,17 @@ class Agreement {
   [[nodiscard]] double allowed_to(const DependentRow& d) const;
   [[nodiscard]] bool surely_contradicts(const DependentRow& d) const;
   [[nodiscard]] Result<void> check_dependent(const DependentRow& d);
-  [[nodiscard]] std::set<std::size_t> partners(const DependentRow& d) const;
+  [[nodiscard]] std::set<std::size_t> partners(const DependentRow& d, double least) const;
+  [[nodiscard]] DependentRow shortest(const DependentRow& d) const;
   [[nodiscard]] tl::unexpected<Error> contradicts(const DependentRow& d) const;
 
   const FreeEquations& equations_;
   const RequirementRows& rows_;
   std::span<const Requirement> requirements_;
   const FreeSystem& system_;
-  double side_;             // of the box, in the units of the solve
-  Eigen::VectorXd missed_;  // by each, in the units of the solve, where all free points are 0
+  double side_;                 // of the box, in the units of the solve
+  Eigen::VectorXd missed_;      // by each, in the units of the solve, where all free points are 0
+  FreeEquations::Rows scaled_;  // to length 1, once choose() was called
   IndependentRows found_;
   std::set<std::size_t> opposed_;
 };

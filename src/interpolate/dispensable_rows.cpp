@@ -34,31 +34,26 @@ RowMatrix stacked(const RowMatrix& above, const RowMatrix& below) {
 constexpr double kFar = 0.03;
 constexpr double kLargest = 1e6;  // of shares: few digits are needed to know what is far
 
-using Numbers = std::vector<int>;
-
-Numbers from_to(int begin, int end) {
-  Numbers numbers(static_cast<std::size_t>(end - begin));
+RowNumbers from_to(int begin, int end) {
+  RowNumbers numbers(static_cast<std::size_t>(end - begin));
   std::iota(numbers.begin(), numbers.end(), begin);
   return numbers;
 }
 
 // Of the rows from `first` on, which are dispensable, those that may be near to the span of others,
 // or others by them. Those before are independent, but may be near each other.
-Numbers in_doubt(const RowMatrix& rows, int first, const Context& context) {
+RowNumbers in_doubt(const RowMatrix& rows, int first, const Context& context) {
   const int count = static_cast<int>(rows.rows());
   SparseCholesky factor;
   if (!factor.compute(products_of(rows), kShift, context)) return from_to(first, count);
   const Eigen::VectorXd pivots = factor.pivots();
-  Numbers near;
-  Numbers others;
+  RowNumbers near;
+  RowNumbers others;
   for (int i = 0; i < count; ++i) (pivots[i] < kFar * kFar ? near : others).push_back(i);
   std::set<int> doubtful;
   const RowBasis basis(rows, others, context);
   for (const int row : near) {
-    if (row >= first) {
-      doubtful.insert(row);
-      continue;
-    }
+    if (row >= first) doubtful.insert(row);
     const auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargest);
     if (!expressed) return from_to(first, count);
     for (const auto& [other, share] : expressed->shares) {
@@ -70,20 +65,20 @@ Numbers in_doubt(const RowMatrix& rows, int first, const Context& context) {
   return {doubtful.begin(), doubtful.end()};
 }
 
-Numbers difference(const Numbers& all, const Numbers& without) {
-  Numbers rest;
+RowNumbers difference(const RowNumbers& all, const RowNumbers& without) {
+  RowNumbers rest;
   std::set_difference(all.begin(), all.end(), without.begin(), without.end(),
                       std::back_inserter(rest));
   return rest;
 }
 
 // Of the rows from `first` on those that are far from the others that are kept.
-Numbers far_rows(const RowMatrix& rows, int first, const Context& context) {
+RowNumbers far_rows(const RowMatrix& rows, int first, const Context& context) {
   const int count = static_cast<int>(rows.rows());
-  const Numbers doubtful = in_doubt(rows, first, context);
-  Numbers kept = difference(from_to(first, count), doubtful);
+  const RowNumbers doubtful = in_doubt(rows, first, context);
+  RowNumbers kept = difference(from_to(first, count), doubtful);
   if (doubtful.empty()) return kept;
-  const Numbers sure = difference(from_to(0, count), doubtful);
+  const RowNumbers sure = difference(from_to(0, count), doubtful);
   const RowBasis basis(rows, sure, context);
   std::vector<DependentRow> far;
   for (const int row : doubtful) {
@@ -99,15 +94,15 @@ Numbers far_rows(const RowMatrix& rows, int first, const Context& context) {
 
 }  // namespace
 
-void add_dispensable(const RowMatrix& rows, const std::vector<int>& dispensable,
-                     const Context& context, IndependentRows& found) {
+void add_dispensable(const RowMatrix& rows, const RowNumbers& dispensable, const Context& context,
+                     IndependentRows& found) {
   const RowMatrix needed = pick_of(found, rows.rows()) * rows;
   const int first = static_cast<int>(needed.rows());
-  Numbers kept = far_rows(stacked(needed, picked(rows, dispensable)), first, context);
+  RowNumbers kept = far_rows(stacked(needed, picked(rows, dispensable)), first, context);
   for (int& row : kept) row = dispensable[static_cast<std::size_t>(row - first)];
   found.independent.insert(found.independent.end(), kept.begin(), kept.end());
   std::sort(found.independent.begin(), found.independent.end());
-  const Numbers others = difference(dispensable, kept);
+  const RowNumbers others = difference(dispensable, kept);
   if (others.empty()) return;
   const RowBasis basis(rows, found.independent, context);
   for (const int row : others) {

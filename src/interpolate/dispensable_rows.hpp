@@ -10,7 +10,7 @@ namespace surpass {
 /// the others are is told as far as it can be. Method: pivots of a decomposition, as in
 /// independent_rows(), tell which rows are near others, and what these are expressed by tells which
 /// dispensable ones are to blame. Only those are expressed by the rest, and near_rows() chooses.
-void add_dispensable(const RowMatrix& rows, const std::vector<int>& dispensable,
-                     const Context& context, IndependentRows& found);
+void add_dispensable(const RowMatrix& rows, const RowNumbers& dispensable, const Context& context,
+                     IndependentRows& found);
 
 }  // namespace surpass

@@ -13,6 +13,7 @@
 namespace surpass {
 
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using RowNumbers = std::vector<int>;  // ascending
 
 /// A row that is a sum of others that are kept, but for `distance`.
 struct DependentRow {
@@ -51,7 +52,7 @@ using Suffices = std::function<bool(const DependentRow&)>;
 /// columns. Each is expressed in the time of two to six solutions; whether a dependent one suffices
 /// is asked at once, of the later row of a sum as far as is known by then.
 [[nodiscard]] std::optional<IndependentRows> independent_rows(const RowMatrix& rows,
-                                                              const std::vector<int>& list,
+                                                              const RowNumbers& list,
                                                               const Suffices& suffices,
                                                               const Context& context);
 

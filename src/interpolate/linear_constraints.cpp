@@ -1,5 +1,6 @@
 #include "interpolate/linear_constraints.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -107,7 +108,10 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
                                       system.elimination.control_count());
   auto contents = std::make_unique<Contents>();
   // Nearly always all are independent, and then the decomposition that is needed anyway tells so.
-  const bool may_be = equations.free.rows() <= equations.free.cols();
+  // Rows that we chose are held to more than that.
+  const bool any_chosen = std::any_of(rows.rows.begin(), rows.rows.end(),
+                                      [](const RequirementRow& row) { return row.chosen; });
+  const bool may_be = !any_chosen && equations.free.rows() <= equations.free.cols();
   if (may_be) {
     agreement.take_all();
     contents->solve_for(agreement.picked_rows(), equations, inverse, context);

@@ -208,6 +208,10 @@ std::vector<std::size_t> without_tangents(std::span<const Requirement> requireme
                                           std::span<const Point> control,
                                           std::span<const Point> reference, double side) {
   Numbers found;
+  std::set<std::size_t> with_derivatives;  // places, where short tangents may be what is asked
+  for (std::size_t i = 0; i < requirements.size(); ++i) {
+    if (requirements[i].kind == Kind::derivative) with_derivatives.insert(equations.first_there[i]);
+  }
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Kind kind = requirements[i].kind;
     if (kind == Kind::derivative || !has_tangents(requirements, equations, i)) continue;
@@ -215,8 +219,8 @@ std::vector<std::size_t> without_tangents(std::span<const Requirement> requireme
       continue;
     }
     const Eigen::Matrix3Xd tangents = tangents_on(control, equations, i, kind);
-    const bool gone =
-        !reference.empty() && shrunk(tangents, tangents_on(reference, equations, i, kind));
+    const bool gone = !reference.empty() && !with_derivatives.contains(equations.first_there[i]) &&
+                      shrunk(tangents, tangents_on(reference, equations, i, kind));
     if (gone || collapsed(tangents, side)) found.push_back(i);
   }
   return found;

@@ -28,8 +28,8 @@ namespace surpass {
                                         const RequirementRows& equations);
 
 /// Normals and directions at places where `control`'s surface has tangents of no length or no
-/// plane, or next to none of those of `reference`, if there is one, so that equations say nothing:
-/// the numbers of those at the first such place. `side` of the box.
+/// plane, or next to none of those of `reference`, if there is one and no derivative is asked, so
+/// that equations say nothing: the numbers of those at the first such place. `side` of the box.
 [[nodiscard]] std::vector<std::size_t> without_tangents(std::span<const Requirement> requirements,
                                                         const RequirementRows& equations,
                                                         std::span<const Point> control,

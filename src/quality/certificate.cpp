@@ -21,7 +21,7 @@ Result<void> check_vertex_counts(const Mesh& control, std::size_t given) {
 }
 
 Result<Certificate> compare_points(std::span<const Point> limit, std::span<const Point> given,
-                                   std::string evaluator, std::optional<double> side) {
+                                   std::string evaluator) {
   if (limit.size() != given.size()) {
     return fail(ErrorCode::mismatch,
                 fmt::format("the control mesh has {} vertices and the given mesh {}: they must be "
@@ -30,8 +30,8 @@ Result<Certificate> compare_points(std::span<const Point> limit, std::span<const
   }
   Certificate certificate;
   certificate.evaluator = std::move(evaluator);
-  const double relative_to = side ? *side : bounding_box(given).side();
-  certificate.box_side = relative_to > 0 ? relative_to : 1;
+  const double side = bounding_box(given).side();
+  certificate.box_side = side > 0 ? side : 1;
   double sum = 0;
   for (std::size_t v = 0; v < given.size(); ++v) {
     // Relative before squaring, so that no coordinate is too large or too small for it.
@@ -45,6 +45,16 @@ Result<Certificate> compare_points(std::span<const Point> limit, std::span<const
     }
   }
   if (!given.empty()) certificate.mean = sum / static_cast<double>(given.size());
+  return certificate;
+}
+
+Certificate relative_to(double side, Certificate certificate) {
+  if (!(side > 0)) side = 1;
+  if (side == certificate.box_side) return certificate;
+  const double scale = certificate.box_side / side;
+  certificate.max *= scale;
+  certificate.mean *= scale;
+  certificate.box_side = side;
   return certificate;
 }
 

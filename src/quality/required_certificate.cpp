@@ -103,9 +103,9 @@ Result<RequiredCertificate> certify_required(const Mesh& control, const Mesh& gi
   auto outcomes = requirement_outcomes(*refined, rules, *limits, *equations, asked, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   certificate.outcomes = std::move(*outcomes);
-  auto vertices = compare_points(*limits, certificate.targets, "surpass", side);
+  auto vertices = compare_points(*limits, certificate.targets, "surpass");
   if (!vertices) return tl::make_unexpected(vertices.error());
-  certificate.vertices = std::move(*vertices);
+  certificate.vertices = relative_to(side, std::move(*vertices));
   return certificate;
 }
 

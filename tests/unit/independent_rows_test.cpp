@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "interpolate/dispensable_rows.hpp"
+#include "interpolate/fewest_rows.hpp"
 
 namespace surpass::test {
 namespace {
@@ -111,6 +112,44 @@ TEST(IndependentRows, LookNoFurtherThanTheFirstThatSuffices) {
   int asked = 0;
   EXPECT_FALSE(independent(rows, [&](const DependentRow&) { return ++asked == 2; }));
   EXPECT_EQ(asked, 2);
+}
+
+TEST(FewestRows, SufficeAndWithoutAnyOneDoNot) {
+  std::mt19937 random(13);
+  const Suffices is_sum = [](const DependentRow& d) { return d.distance <= kDependent; };
+  for (const double part : {1.0, 0.3, 0.1}) {
+    SCOPED_TRACE(part);
+    // A sum of rows 0, 3 and 6, which nearly all others are near to as well.
+    Dense rows = polynomials(1, 24, 30, part, random);
+    rows.row(23) = rows.row(0) + rows.row(3) - rows.row(6);
+    rows.row(23).normalize();
+    const RowMatrix sparse = rows.sparseView();
+    const DependentRow by_all{
+        23, 0, {{0, 1}, {1, 0.5}, {3, 0.4}, {4, 2}, {6, 1}, {7, 3}, {9, 0.1}}};
+    const DependentRow few = by_fewest_rows(sparse, by_all, is_sum, {});
+    ASSERT_EQ(few.shares.size(), 3U);
+    EXPECT_EQ(few.shares[0].first, 0);
+    EXPECT_EQ(few.shares[1].first, 3);
+    EXPECT_EQ(few.shares[2].first, 6);
+    EXPECT_LT(rest(rows, few).norm(), 1e-12);
+  }
+}
+
+// A row 0.05 away from what is needed must not keep one out that is 1 away, whichever comes first.
+TEST(DispensableRows, TheFarthestIsKeptInAnyOrder) {
+  const Dense needed = Dense::Identity(1, 3);
+  Dense far = Dense::Zero(1, 3);
+  far(0, 1) = 1;
+  Dense near = needed + 0.05 * far;
+  near.normalize();
+  for (const bool near_first : {false, true}) {
+    Dense rows(3, 3);
+    rows << needed, near_first ? near : far, near_first ? far : near;
+    const RowMatrix sparse = rows.sparseView();
+    auto found = independent_rows(sparse, {0}, no_row_suffices, {}).value();
+    add_dispensable(sparse, {1, 2}, {}, found);
+    EXPECT_EQ(found.independent, (std::vector{0, near_first ? 2 : 1}));
+  }
 }
 
 // Rows that are met only where nothing is the worse for it: all that are kept lie far from the span

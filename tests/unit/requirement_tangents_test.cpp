@@ -116,6 +116,21 @@ TEST(RequirementTangents, HardlyAnyLengthIsNoLength) {
   expect_met(mesh, {test::towards(Kind::direction, v, inner, almost)}, {corner_of(mesh, v)});
 }
 
+// Whoever asks for a short tangent gets it, a normal beside it or not.
+TEST(RequirementTangents, AShortDerivativeIsNoShrunkSurface) {
+  const Mesh mesh = test::cube();
+  for (const double length : {1e-2, 1e-5, 1e-7}) {
+    SCOPED_TRACE(length);
+    const std::vector<Requirement> both = {test::towards(Kind::derivative, 0, 1, {length, 0, 0}),
+                                           test::at_vertex(Kind::normal, 0, {0, -1, -1})};
+    const auto found = interpolate_required(mesh, both);
+    ASSERT_TRUE(found) << describe(found.error());
+    for (const RequirementOutcome& outcome : found->report.requirements) {
+      EXPECT_LT(outcome.error, 1e-12);
+    }
+  }
+}
+
 // As where all normals of a file point inward: nothing folds, and it is said.
 TEST(RequirementTangents, NormalsOfTheOtherSignDoNotFoldTheSurface) {
   const Mesh mesh = test::icosahedron();
