@@ -204,7 +204,7 @@ Result<void> Reconstruct::run(Session& session) {
   session.report["mesh"] = mesh_json(output_.path(), found->mesh);
   session.console.say(summary(found->report, found->mesh));
   session.console.notes(found->report.warnings);
-  if (const auto fits = surface_.check(found->mesh); !fits) return fits;
+  if (const auto fits = surface_.check(found->mesh, rules_.scheme, output_); !fits) return fits;
 
   const Result<Interpolated> interpolated = interpolate_mesh(found->mesh, session);
   if (!interpolated) return tl::make_unexpected(interpolated.error());
@@ -298,7 +298,6 @@ Result<void> Reconstruct::write(const Mesh& mesh, const Interpolated& interpolat
                                 const Mesh& unused, Session& session) const {
   const auto surface = surface_.make(interpolated.control, rules_, session);
   if (!surface) return tl::make_unexpected(surface.error());
-  if (const auto fits = surface_.check(*surface, output_); !fits) return fits;
   if (const auto done = output_.write(mesh, session); !done) return done;
   if (!control_path_.empty()) {
     if (const auto done = output_.write(interpolated.control, control_path_, session); !done) {

@@ -26,11 +26,7 @@ class Convert : public Command {
     const Result<LoadedMesh> loaded = input_.load(session);
     if (!loaded) return tl::make_unexpected(loaded.error());
     output_.default_format(loaded->format);
-    if (auto fits = output_.check(loaded->mesh, output_.path()); !fits) {
-      // Here the faces that are written are those that are read.
-      fits.error().message += "; --triangulate cuts polygons into triangles";
-      return fits;
-    }
+    if (const auto fits = output_.check_as_read(loaded->mesh); !fits) return fits;
     return output_.write(loaded->mesh, session);
   }
 

@@ -27,6 +27,11 @@ namespace surpass::cli {
 
 namespace {
 
+/// What is reported of each; none where there are none.
+Json requirements_in(const Json& report) {
+  return report.value(Json::json_pointer("/similarity/requirements"), Json::array());
+}
+
 class Interpolate : public Command {
  public:
   void define(Options& options) override;
@@ -181,6 +186,8 @@ Result<void> Interpolate::run(Session& session) {
                                   name_of(options_.rules.scheme),
                                   name_of(options_.rules.boundary)));
   session.console.say(fmt::format("{}, {:.3g} s", summary(*solved, *verdict), session.seconds()));
+  const std::string required = summary_of_requirements(requirements_in(session.report));
+  if (!required.empty()) session.console.say(required);
 
   const bool reached = solved->converged && verdict->judged() <= solved->tolerance;
   if (reached || keep_best_) {
@@ -202,16 +209,17 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error,
                             "allow more with --max-iterations{}",
                             solved.tolerance, advice));
   }
-  if (error <= solved.tolerance) {
-    // These methods meet everything from the start: only rounding is at work.
-    const std::string missed = missed_requirement(
-        session.report.value(Json::json_pointer("/similarity/requirements"), Json::array()));
+  // The other methods meet everything from the start: only rounding is at work.
+  const std::string missed = missed_requirement(requirements_in(session.report));
+  if (error <= solved.tolerance || !missed.empty()) {
     return fail(
         ErrorCode::not_converged,
-        fmt::format("the positions reached the tolerance {:.3g}, but {}, by rounding, which "
-                    "more iterations would not mend; ask for what the surface can do "
-                    "there, in numbers of the size of the mesh{}",
-                    solved.tolerance, missed.empty() ? "a channel did not" : missed, advice));
+        fmt::format("the positions {} the tolerance {:.3g}, {} {}, by rounding, which more "
+                    "iterations would not mend; ask for what the surface can do there, in numbers "
+                    "of the size of the mesh{}",
+                    error <= solved.tolerance ? "reached" : "did not reach", solved.tolerance,
+                    error <= solved.tolerance ? "but" : "and",
+                    missed.empty() ? "a channel did not" : missed, advice));
   }
   if (method_ != Method::progressive) {
     return fail(ErrorCode::not_converged,
@@ -278,7 +286,6 @@ Result<void> Interpolate::choose_options(const Mesh& given, Session& session) {
   session.report["solver"] = name_of(options_.solver);
   session.report["tolerance"] = options_.tolerance;
   if (const auto checked = check_oracle(oracle_, options_.rules); !checked) return checked;
-  if (const auto checked = surface_.check(given); !checked) return checked;
   if (!only_path_.empty()) {
     Result<std::vector<Index>> only = read_vertex_list(only_path_, given.vertex_count());
     if (!only) return tl::make_unexpected(only.error());
@@ -293,9 +300,12 @@ Result<void> Interpolate::prepare(const Mesh& given, Session& session) {
     const auto prepared = similar_.prepare(method_, options_, rules_, given, session);
     if (!prepared) return prepared;
     if (const auto fits = output_.check(similar_.control(), output_.path()); !fits) return fits;
-    return surface_.check(similar_.control());
+    if (const auto fits = similar_.check_reference(output_); !fits) return fits;
+    return surface_.check(similar_.control(), options_.rules.scheme, output_);
   }
-  if (const auto fits = output_.check(given, output_.path()); !fits) return fits;
+  if (const auto fits = output_.check_as_read(given); !fits) return fits;
+  const auto fits = surface_.check(given, options_.rules.scheme, output_);
+  if (!fits) return fits;
   Result<Interpolator> solver = session.timed(
       "topology", [&] { return Interpolator::create(given, options_, session.context); });
   if (!solver) return tl::make_unexpected(solver.error());
@@ -382,8 +392,6 @@ Result<Certificate> Interpolate::certify_listed(const std::vector<Point>& limit,
 Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   const auto surface = surface_.make(control, options_.rules, session);
   if (!surface) return tl::make_unexpected(surface.error());
-  if (const auto fits = surface_.check(*surface, output_); !fits) return fits;
-  if (const auto fits = similar_.check_reference(output_); !fits) return fits;
   if (const auto written = output_.write(control, session); !written) return written;
   similar_.note_drawn_ring(output_, session);
   if (const auto written = surface_.write(*surface, output_, session); !written) return written;

@@ -194,6 +194,23 @@ Result<void> MeshOutput::check(const Mesh& mesh, const std::string& path) const 
   return fits;
 }
 
+Result<void> MeshOutput::check_as_read(const Mesh& mesh) const {
+  auto fits = check(mesh, path_);
+  if (!fits) fits.error().message += "; --triangulate cuts polygons into triangles";
+  return fits;
+}
+
+Result<void> MeshOutput::check_refined(const Mesh& mesh, Scheme scheme, int levels,
+                                       const std::string& path) const {
+  if (levels == 0 || scheme == Scheme::loop) return check(mesh, path);
+  if (format_at(path) != Format::stl) return {};
+  return fail(
+      ErrorCode::unsuitable_for_scheme,
+      fmt::format("STL holds triangles only, and {} makes other faces; write another format",
+                  name_of(scheme)),
+      Place{.file = path});
+}
+
 Result<void> MeshOutput::write(const Mesh& mesh, const std::string& path, Session& session) const {
   if (session.context.cancelled()) return fail(ErrorCode::cancelled, "interrupted");
   WriteOptions options = options_;

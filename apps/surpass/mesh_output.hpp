@@ -30,6 +30,14 @@ class MeshOutput {
   /// several outputs before the first is written.
   [[nodiscard]] Result<void> check(const Mesh& mesh, const std::string& path) const;
 
+  /// The same of the output of `define` for a mesh of the faces that were read, which --triangulate
+  /// would cut.
+  [[nodiscard]] Result<void> check_as_read(const Mesh& mesh) const;
+
+  /// The same for what refinement will make of the mesh.
+  [[nodiscard]] Result<void> check_refined(const Mesh& mesh, Scheme scheme, int levels,
+                                           const std::string& path) const;
+
   /// Writes to the output of `define`, or to another path in the format that its ending names.
   [[nodiscard]] Result<void> write(const Mesh& mesh, Session& session) const;
   [[nodiscard]] Result<void> write(const Mesh& mesh, const std::string& path,

@@ -17,6 +17,10 @@
 namespace surpass::cli {
 namespace {
 
+// What a reader of the file may be told, and what an editor is told by. Both are passed over.
+constexpr const char* kComment = "comment";
+constexpr const char* kSchema = "$schema";
+
 // One entry of the list. Whatever is wrong with it, the first thing found is kept.
 class Entry {
  public:
@@ -27,6 +31,7 @@ class Entry {
     if (!json_.is_object()) return refuse("it is not an object");
     if (!choose_kind() || !locate() || !read_along()) return refuse(problem_);
     for (const auto& [key, value] : json_.items()) {
+      if (key == kComment && value.is_string()) continue;
       if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
         return refuse(fmt::format("\"{}\" has no meaning here", key));
       }
@@ -48,7 +53,7 @@ class Entry {
 
   // "; it has x and y", of keys that could be misspelt kinds; empty without any.
   [[nodiscard]] std::string unknown_keys() const {
-    constexpr std::array kOthers = {"vertex", "towards", "face", "uv", "corner", "along"};
+    constexpr std::array kOthers = {"vertex", "towards", "face", "uv", "corner", "along", kComment};
     std::string keys;
     for (const auto& [key, value] : json_.items()) {
       if (std::find(kOthers.begin(), kOthers.end(), key) != kOthers.end()) continue;
@@ -215,7 +220,8 @@ Result<std::vector<Requirement>> read_requirements(const std::string& path) {
                                           : "is not JSON from here on",
                 place_at(path, *text, *byte));
   }
-  const Json json = Json::parse(*text);
+  Json json = Json::parse(*text);
+  if (json.is_object() && json.value(kSchema, Json()).is_string()) json.erase(kSchema);
   if (!json.is_object() || json.size() != 1 || !json.contains("requirements") ||
       !json["requirements"].is_array()) {
     std::string other;

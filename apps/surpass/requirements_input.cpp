@@ -148,23 +148,41 @@ Json outcomes_json(const std::vector<Requirement>& requirements,
       entry["angle"] = outcomes[i].angle;
       entry["flipped"] = outcomes[i].flipped;
     }
+    if (outcomes[i].length_chosen) entry["length_chosen"] = true;
     if (outcomes[i].without_plane) entry["without_plane"] = true;
     list.push_back(std::move(entry));
   }
   return list;
 }
 
-std::string missed_requirement(const Json& outcomes) {
-  const auto worst =
-      std::max_element(outcomes.begin(), outcomes.end(), [](const Json& a, const Json& b) {
-        return a["error"].get<double>() < b["error"].get<double>();
-      });
-  if (worst == outcomes.end() || !((*worst)["error"].get<double>() > kRequirementTolerance)) {
-    return "";
+namespace {
+
+// The one that is missed by most, of at least one.
+std::size_t worst_of(const Json& outcomes) {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < outcomes.size(); ++i) {
+    if (outcomes[worst]["error"].get<double>() < outcomes[i]["error"].get<double>()) worst = i;
   }
-  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side",
-                     worst - outcomes.begin(), (*worst)["what"].get<std::string>(),
-                     (*worst)["error"].get<double>());
+  return worst;
+}
+
+}  // namespace
+
+std::string summary_of_requirements(const Json& outcomes) {
+  if (outcomes.empty()) return "";
+  const std::size_t worst = worst_of(outcomes);
+  return fmt::format("requirements at most {:.3g} of the box side at {} ({}), {} of them",
+                     outcomes[worst]["error"].get<double>(), worst,
+                     outcomes[worst]["what"].get<std::string>(), outcomes.size());
+}
+
+std::string missed_requirement(const Json& outcomes) {
+  if (outcomes.empty()) return "";
+  const std::size_t worst = worst_of(outcomes);
+  const double error = outcomes[worst]["error"].get<double>();
+  if (!(error > kRequirementTolerance)) return "";
+  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side", worst,
+                     outcomes[worst]["what"].get<std::string>(), error);
 }
 
 }  // namespace surpass::cli

@@ -58,6 +58,9 @@ class Subdivide : public Command {
     session.report["levels"] = levels_;
     session.report["limit"] = limit_;
     if (const auto checked = check_levels(loaded->mesh, levels_); !checked) return checked;
+    const Scheme faces = rules_.nonstationary() ? Scheme::loop : rules.scheme;
+    const auto fits = output_.check_refined(loaded->mesh, faces, levels_, output_.path());
+    if (!fits) return fits;
 
     Result<Mesh> refined = rules_.nonstationary() ? refine_nonstationary(loaded->mesh, session)
                                                   : refine_stationary(loaded->mesh, rules, session);

@@ -21,8 +21,11 @@ Result<void> SurfaceOutput::check_given() const {
               "--levels is for --surface, which is not given; add --surface FILE, or leave it out");
 }
 
-Result<void> SurfaceOutput::check(const Mesh& control) const {
-  return wanted() ? check_levels(control, levels_) : Result<void>();
+Result<void> SurfaceOutput::check(const Mesh& control, Scheme scheme,
+                                  const MeshOutput& output) const {
+  if (!wanted()) return {};
+  if (const auto fits = check_levels(control, levels_); !fits) return fits;
+  return output.check_refined(control, scheme, levels_, path_);
 }
 
 Result<std::optional<Mesh>> SurfaceOutput::make(const Mesh& control, const Rules& rules,
@@ -32,11 +35,6 @@ Result<std::optional<Mesh>> SurfaceOutput::make(const Mesh& control, const Rules
       session.timed("refine", [&] { return limit_mesh(control, rules, levels_, session.context); });
   if (!refined) return tl::make_unexpected(refined.error());
   return std::optional<Mesh>(std::move(*refined));
-}
-
-Result<void> SurfaceOutput::check(const std::optional<Mesh>& surface,
-                                  const MeshOutput& output) const {
-  return surface ? output.check(*surface, path_) : Result<void>();
 }
 
 Result<void> SurfaceOutput::write(const std::optional<Mesh>& surface, const MeshOutput& output,

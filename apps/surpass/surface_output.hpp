@@ -25,11 +25,9 @@ class SurfaceOutput {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] int levels() const { return levels_; }
 
-  /// Before the work: fails where the surface of a control mesh like this one would be too large.
-  [[nodiscard]] Result<void> check(const Mesh& control) const;
-
-  /// Fails where the file has no place for the faces of what make() made.
-  [[nodiscard]] Result<void> check(const std::optional<Mesh>& surface,
+  /// Before the work: fails where the surface of a control mesh like this one would be too large,
+  /// or the file has no place for its faces.
+  [[nodiscard]] Result<void> check(const Mesh& control, Scheme scheme,
                                    const MeshOutput& output) const;
 
   /// The surface, or nothing where none is wanted.

@@ -81,6 +81,8 @@ struct RequirementOutcome {
   /// The surface has the opposite normal or direction, for its equations cannot tell and nothing
   /// better was found. Or none at all.
   bool flipped = false;
+  /// Its tangents would have vanished, or gone the other way, and were given lengths.
+  bool length_chosen = false;
   /// The derivatives that are required there are parallel, so that the surface has no tangent
   /// plane.
   bool without_plane = false;

@@ -17,8 +17,6 @@ namespace {
 constexpr double kHolds = kRequirementTolerance;
 // In box sides: how far from the origin of the solve surfaces are taken to be.
 constexpr double kReach = 3;
-// In the units of the solve; squares of larger numbers may overflow.
-constexpr double kFarthest = 1e100;
 
 // `amount`: in units of the box side.
 tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t last, double amount,
@@ -70,10 +68,7 @@ Result<void> Agreement::check_fixed() const {
     const int row = static_cast<int>(i);
     if (!(std::abs(equations_.in_units[i]) <= kFarthest)) {
       const std::size_t number = requirement_of(row);
-      return refuse_requirement(requirements_[number], number,
-                                "its numbers are so large beside the given mesh that nothing can "
-                                "be computed with both",
-                                ErrorCode::not_finite);
+      return refuse_requirement(requirements_[number], number, kTooLarge, ErrorCode::not_finite);
     }
     if (equations_.factor[i] != 0 || is_chosen(row)) continue;
     if (missed > kHolds + kReach * equations_.free.row(i).norm()) {
@@ -171,6 +166,14 @@ std::vector<unsigned char> Agreement::redundant() const {
   for (const int row : found_.independent) is_needed(row);
   for (const DependentRow& d : found_.near) is_needed(d.row);
   return redundant;
+}
+
+std::vector<unsigned char> Agreement::with_lengths() const {
+  std::vector<unsigned char> with(requirements_.size(), 0);
+  for (const int row : found_.independent) {
+    if (is_chosen(row)) with[requirement_of(row)] = 1;
+  }
+  return with;
 }
 
 tl::unexpected<Error> not_told_apart() {

@@ -38,6 +38,9 @@ class Agreement {
   /// #requirements: 1 where none of its equations was taken.
   [[nodiscard]] std::vector<unsigned char> redundant() const;
 
+  /// #requirements: 1 where an equation that was chosen for it was taken.
+  [[nodiscard]] std::vector<unsigned char> with_lengths() const;
+
   /// Requirements whose equations left no room to chosen ones (RequirementRow::chosen).
   [[nodiscard]] const std::set<std::size_t>& opposed() const { return opposed_; }
 

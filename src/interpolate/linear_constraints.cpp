@@ -49,6 +49,7 @@ struct LinearConstraints::Contents {
   bool decomposed = false;
   Vector squares;  // the diagonal of the products
   std::vector<unsigned char> redundant;
+  std::vector<unsigned char> with_lengths;
   std::set<std::size_t> opposed;
 
   // The equations that are solved for: `pick` times all that were asked. Incomplete if cancelled.
@@ -91,6 +92,10 @@ const std::vector<unsigned char>& LinearConstraints::redundant() const {
   return contents_->redundant;
 }
 
+const std::vector<unsigned char>& LinearConstraints::with_lengths() const {
+  return contents_->with_lengths;
+}
+
 const std::set<std::size_t>& LinearConstraints::opposed() const { return contents_->opposed; }
 
 Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
@@ -124,6 +129,7 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
   if (context.cancelled()) return cancelled();
   if (!contents->decomposed) return not_told_apart();
   contents->redundant = agreement.redundant();
+  contents->with_lengths = agreement.with_lengths();
   contents->opposed = agreement.opposed();
   contents->elimination = &system.elimination;
   return LinearConstraints(std::move(contents));

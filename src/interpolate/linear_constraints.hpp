@@ -49,6 +49,9 @@ class LinearConstraints {
   /// #requirements: 1 where all its equations were dropped.
   [[nodiscard]] const std::vector<unsigned char>& redundant() const;
 
+  /// #requirements: 1 where a chosen equation of its own is kept (RequirementRow::chosen).
+  [[nodiscard]] const std::vector<unsigned char>& with_lengths() const;
+
   /// Requirements whose equations left no room to chosen ones (RequirementRow::chosen).
   [[nodiscard]] const std::set<std::size_t>& opposed() const;
 

@@ -1,6 +1,7 @@
 #include "interpolate/required_solve.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -15,12 +16,15 @@
 namespace surpass {
 namespace {
 
-// Requirements that repeat an earlier one at their vertex, and those whose equations were dropped.
-void mark_redundant(const RequirementRows& equations, const Found& found,
-                    std::span<RequirementOutcome> outcomes) {
+// Redundant are also those that repeat an earlier one at their vertex.
+void mark(const RequirementRows& equations, const Found& found,
+          std::span<RequirementOutcome> outcomes) {
+  const auto is_in = [](const std::vector<unsigned char>& list, std::size_t i) {
+    return i < list.size() && list[i] != 0;
+  };
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const bool dropped = i < found.redundant.size() && found.redundant[i] != 0;
-    outcomes[i].redundant = dropped || equations.repeated[i] != 0;
+    outcomes[i].redundant = is_in(found.redundant, i) || equations.repeated[i] != 0;
+    outcomes[i].length_chosen = is_in(found.with_lengths, i);
   }
 }
 
@@ -68,19 +72,18 @@ Result<Found> find_with_tangents(const RequiredTask& task, RequirementRows& equa
   return found;
 }
 
-void note_lengths(const RequirementRows& equations, std::span<const Requirement> requirements,
-                  SimilarityReport& report) {
-  const auto with = with_lengths(requirements.size(), equations);
-  const auto first = std::find(with.begin(), with.end(), 1);
-  if (first == with.end()) return;
-  const auto number = static_cast<std::size_t>(first - with.begin());
+void note_lengths(std::span<const Requirement> requirements, SimilarityReport& report) {
+  const auto& outcomes = report.requirements;
+  const auto has_length = std::mem_fn(&RequirementOutcome::length_chosen);
+  const auto count = std::count_if(outcomes.begin(), outcomes.end(), has_length);
+  if (count == 0) return;
+  const auto first = std::find_if(outcomes.begin(), outcomes.end(), has_length);
+  const auto number = static_cast<std::size_t>(first - outcomes.begin());
   report.solve.notes.push_back(fmt::format(
       "the tangents of {} would have vanished or gone the other way and were given lengths, by the "
-      "reference; the first: "
-      "{}, {}",
-      counted(static_cast<std::size_t>(std::count(first, with.end(), 1)), "requirement",
-              "requirements"),
-      number, describe(requirements[number])));
+      "reference; the first: {}, {}",
+      counted(static_cast<std::size_t>(count), "requirement", "requirements"), number,
+      describe(requirements[number])));
 }
 
 }  // namespace
@@ -112,8 +115,8 @@ Result<SimilaritySolution> solve_required_task(const RequiredTask& task, Require
                                        task.requirements, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   solution.report.requirements = std::move(*outcomes);
-  mark_redundant(equations, *found, solution.report.requirements);
-  note_lengths(equations, task.requirements, solution.report);
+  mark(equations, *found, solution.report.requirements);
+  note_lengths(task.requirements, solution.report);
   judge_outcomes(task.requirements, targets, side, solution.report);
   solution.targets = std::move(targets);
   return solution;

@@ -1,6 +1,7 @@
 #include "interpolate/requirement_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -96,12 +97,20 @@ class Equations {
   RequirementRows& out_;
 };
 
-// Positions and removals at the same vertex cannot both be meant, unless they say the same.
+// Positions and removals at the same vertex cannot both be meant, unless they say the same; nor can
+// positions that nothing is left of the mesh beside.
 Result<void> check_vertices(std::span<const Requirement> requirements, const Mesh& given) {
+  const double side = bounding_box(given.points).side();
+  const auto is_too_far = [&](double x) {
+    return !(std::abs(x) <= kFarthest * (side > 0 ? side : 1));
+  };
   std::vector<std::size_t> first(given.vertex_count(), requirements.size());
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
     if (!is_of_vertex(r)) continue;
+    if (std::any_of(r.value.begin(), r.value.end(), is_too_far)) {
+      return refuse_requirement(r, i, kTooLarge, ErrorCode::not_finite);
+    }
     std::size_t& other = first[r.vertex];
     if (other == requirements.size()) {
       other = i;

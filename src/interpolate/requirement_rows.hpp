@@ -11,6 +11,11 @@
 
 namespace surpass {
 
+/// In box sides: squares of larger numbers may overflow.
+constexpr double kFarthest = 1e100;
+constexpr char kTooLarge[] =
+    "its numbers are so large beside the given mesh that nothing can be computed with both";
+
 /// Vertices are moved and removed on surfaces of every scheme; the rest needs one that is evaluated
 /// anywhere.
 [[nodiscard]] inline bool is_of_vertex(const Requirement& r) {

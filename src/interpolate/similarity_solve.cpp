@@ -220,6 +220,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
     system.constraints = &**constraints;
     system.constraints->meet(context, found.values, true);
     found.redundant = system.constraints->redundant();
+    found.with_lengths = system.constraints->with_lengths();
     found.opposed = system.constraints->opposed();
   }
   if (options.max_iterations > 0) {

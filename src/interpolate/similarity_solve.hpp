@@ -27,8 +27,9 @@ struct Found {
   std::vector<double> reference;
   std::vector<double> scale;
   FreeOutcome outcome;
-  std::vector<unsigned char> redundant;  // #requirements
-  std::set<std::size_t> opposed;         // LinearConstraints::opposed()
+  std::vector<unsigned char> redundant;     // #requirements, as LinearConstraints says
+  std::vector<unsigned char> with_lengths;  // #requirements
+  std::set<std::size_t> opposed;
 };
 
 [[nodiscard]] Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,

@@ -153,8 +153,6 @@ void add_lengths(const Requirement& r, std::size_t number, const Tangents& tange
   }
 }
 
-}  // namespace
-
 std::vector<unsigned char> with_lengths(std::size_t requirements,
                                         const RequirementRows& equations) {
   std::vector<unsigned char> with(requirements, 0);
@@ -163,8 +161,6 @@ std::vector<unsigned char> with_lengths(std::size_t requirements,
   }
   return with;
 }
-
-namespace {
 
 // Cheaper than the place: whether tangents are bad or the reference's may need a stand-in.
 bool may_be_bad(std::span<const Point> control, std::span<const Point> reference,

@@ -21,8 +21,4 @@ namespace surpass {
                                        std::span<const Point> reference,
                                        RequirementRows& equations);
 
-/// #requirements: which have rows of that kind.
-[[nodiscard]] std::vector<unsigned char> with_lengths(std::size_t requirements,
-                                                      const RequirementRows& equations);
-
 }  // namespace surpass

@@ -124,7 +124,7 @@ Result<void> check_faces(const Mesh& mesh, Format format) {
     if (corners == 3) continue;
     return fail(ErrorCode::unsuitable_for_scheme,
                 fmt::format("STL holds triangles only, and this face has {} corners; "
-                            "triangulate the mesh, or write another format",
+                            "write triangles, or another format",
                             corners),
                 {.face = f});
   }

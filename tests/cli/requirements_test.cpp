@@ -127,6 +127,46 @@ TEST_F(Requirements, ASurfaceThatShrankIsNoted) {
   EXPECT_NE(outcome.err.find("has shrunk to"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Requirements, CommentsAndTheSchemasNameArePassedOver) {
+  json labelled = kNormal;
+  labelled["comment"] = "the nose looks up";
+  json all = list({labelled, kPosition});
+  all["$schema"] = "requirements.schema.json";
+  EXPECT_EQ(schema_.complaint(all.dump()), "");
+  EXPECT_EQ(run(all).status, 0);
+}
+
+// Upright on a flat sheet: the tangent would vanish, and the report says which it was.
+TEST_F(Requirements, LengthsThatWereChosenAreReported) {
+  const std::string sheet = folder_.file("sheet.off",
+                                         "OFF\n9 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n"
+                                         "1 1 0\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n4 0 1 4 3\n"
+                                         "4 1 2 5 4\n4 3 4 7 6\n4 4 5 8 7\n");
+  const json upright = {{"vertex", 4}, {"towards", 5}, {"direction", {0, 0, 1}}};
+  const json along = {{"vertex", 4}, {"towards", 7}, {"direction", {0, 1, 0}}};
+  const std::string path = folder_.file("list.json", list({along, upright}).dump());
+  const std::string report_path = folder_ / "report.json";
+  const Outcome outcome = surpass({"interpolate", sheet, "-o", control_, "--method", "similarity",
+                                   "--requirements", path, "--report", report_path});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json report = json::parse(slurp(report_path));
+  EXPECT_EQ(Schema(SURPASS_SCHEMA).complaint(report.dump()), "");
+  const json& found = report["similarity"]["requirements"];
+  EXPECT_FALSE(found[0].contains("length_chosen"));
+  EXPECT_EQ(found[1]["length_chosen"], true);
+  EXPECT_NE(outcome.err.find("requirements at most"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Requirements, NumbersThatNothingIsLeftBesideAreRefused) {
+  for (json one : {kPosition, kMoved}) {
+    one["position"][1] = 1e200;
+    const Outcome outcome = run(list({kNormal, one}));
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("requirement 1 ("), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("so large beside the given mesh"), std::string::npos) << outcome.err;
+  }
+}
+
 // What the schema refuses, the program refuses, with a sentence.
 TEST_F(Requirements, WhatTheSchemaRefusesIsRefused) {
   const auto with = [](json entry, const char* key, const json& value) {

@@ -161,6 +161,8 @@ TEST(Usage, FormatsAreCheckedBeforeAnythingIsWritten) {
     const Outcome outcome = surpass(words);
     EXPECT_EQ(outcome.status, 3);
     EXPECT_NE(outcome.err.find("STL holds triangles only"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("of the box side"), std::string::npos)
+        << "solved before it was seen";
     EXPECT_TRUE(folder.names().empty());
   }
 }
@@ -175,6 +177,12 @@ TEST(Usage, TrianglesAreAdvisedWhereTheyHelp) {
   EXPECT_NE(converted.err.find(hint), std::string::npos) << converted.err;
   EXPECT_EQ(surpass({"convert", data("quad_torus.obj"), folder / "t.stl", "--triangulate"}).status,
             0);
+  const Outcome plain = surpass({"interpolate", data("quad_torus.obj"), "-o", folder / "t.stl"});
+  EXPECT_NE(plain.err.find(hint), std::string::npos) << plain.err;
+  const Outcome refined =
+      surpass({"subdivide", data("quad_torus.obj"), "-o", folder / "s.stl", "--levels", "1"});
+  EXPECT_EQ(refined.status, 3);
+  EXPECT_EQ(refined.err.find(hint), std::string::npos) << refined.err;
   const Outcome similar =
       surpass({"interpolate", data("quad_torus.obj"), "-o", folder / "s.stl", "--method",
                "similarity", "--triangulate", "--scheme", "catmull-clark"});

@@ -55,7 +55,7 @@ TEST(Stl, PolygonsAreRefusedWithTheWayOut) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::unsuitable_for_scheme);
   EXPECT_EQ(describe(result.error()),
-            "STL holds triangles only, and this face has 4 corners; triangulate the mesh, or write "
+            "STL holds triangles only, and this face has 4 corners; write triangles, or "
             "another format (face 1, counted from 0)");
   EXPECT_TRUE(bytes.empty());
 }
