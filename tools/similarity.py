@@ -57,6 +57,8 @@ GLASS = [
     ("in a dummy ring, its rim asked to end upright", RING, True),
 ]
 GLASS_VIEW = ["--up", "z", "--camera", "20,25", "--size", "340x400"]
+BOWL = 0.8  # above this height
+BOWL_VIEW = ["--up", "z", "--camera", "20,0", "--size", "440x300"]
 
 HEAD = """# Similarity-based interpolation: the paper's sizes and figures, made again
 
@@ -91,7 +93,8 @@ The paper goes around the boundary with a ring of dummy faces, whose outer verti
 The ring has no width there; (c) shows it after the refinement, which gives it some: the blue band at the rim. Of the
 two rings that it is refined to, only the inner one has an influence on the surface, and only that one is kept. The
 surfaces (d), (e) and (f) end inside of it. In (f) the surface is asked to end upright at every vertex of the rim; what
-the paper asks of its glass it does not say. The form is `vectors`, the default here.
+the paper asks of its glass it does not say: from the side it shows in the bowl's outline, which narrows up to the rim
+in (e) and ends upright in (f). The form is `vectors`, the default here.
 
 """
 
@@ -109,7 +112,8 @@ Row by row: the paper's teapot; a T; a body with three holes; a capsule, open at
 Bigguy. But for the teapot these are not the paper's meshes, which are not published, and the rocker arm here is made of
 triangles. `directions` is the paper's form, `vectors` the default here. Measures of these forms and of fair surfaces, for
 Cubespikes, Bigguy and eight other meshes and with our weights under `directions`, are in the [comparison of
-methods](../comparison.md). The limit surface is not scaled, as in the paper.
+methods](../comparison.md). The limit surface is not scaled, as in the paper. At the tip of the teapot's spout the
+interpolating surfaces turn over, unlike the limit surface: the lip shows its back, in blue.
 
 """
 
@@ -193,11 +197,15 @@ class Artist:
         marks = ["--points", self.mesh] if points else []
         return self._draw(name, control, ["--scheme", "catmull-clark", "--levels", str(levels), *marks])
 
-    def _draw(self, name, mesh, options):
+    def close(self, name, control, frame, view):
+        """Of a part only, from another side."""
+        return self._draw(name, control, ["--scheme", "catmull-clark", "--levels", "3"], [frame], view)
+
+    def _draw(self, name, mesh, options, frame=None, view=None):
         picture = f"similarity-{self.figure}-{self.name}-{name}.png".lower().replace(" ", "-")
-        frame = ",".join(str(path) for path in self.frame)
+        frame = ",".join(str(path) for path in frame or self.frame)
         subprocess.run([self.surpass, "render", mesh, "-o", self.output / picture, "--frame", frame, "--quiet",
-                        *self.view, *options], check=True)
+                        *(view or self.view), *options], check=True)
         return f"![{self.name}, {name}]({picture})"
 
 
@@ -252,6 +260,12 @@ def figure_3(surpass, mesh, rim, folders):
                     "(f) with additional requirements"],
                    [artist.surface("extended-limit", reference, 3), artist.surface("ring", ring, 3),
                     artist.surface("ring-rim", ring_rim, 3)])
+    bowl = folders[0] / "bowl.xyz"
+    vertices = [line.split()[1:] for line in mesh.read_text().splitlines() if line.startswith("v ")]
+    bowl.write_text("".join(" ".join(v) + "\n" for v in vertices if float(v[2]) > BOWL))
+    second += "\n" + table(["the bowl of (e) from the side", "the bowl of (f) from the side"],
+                           [artist.close("ring-bowl", ring, bowl, BOWL_VIEW),
+                            artist.close("ring-rim-bowl", ring_rim, bowl, BOWL_VIEW)])
     third = table(["(e) by `directions`", "(f) by `directions`", "(e) by boundary rules"],
                   [artist.surface("directions", fluted, 3), artist.surface("directions-rim", fluted_rim, 3),
                    artist.surface("rules", rules, 3)])

@@ -394,6 +394,11 @@ Result<void> Interpolate::write(const Mesh& control, Session& session) const {
   if (!surface) return tl::make_unexpected(surface.error());
   if (const auto written = output_.write(control, session); !written) return written;
   similar_.note_drawn_ring(output_, session);
+  if (output_.format() == Format::stl) {
+    session.console.note(
+        "STL does not keep the order of the vertices, without which the file cannot be compared "
+        "with the given mesh");
+  }
   if (const auto written = surface_.write(*surface, output_, session); !written) return written;
   return similar_.write_reference(output_, session);
 }

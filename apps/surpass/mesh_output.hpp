@@ -3,6 +3,7 @@
 #pragma once
 
 #include <surpass/io.hpp>
+#include <surpass/scheme.hpp>
 
 #include <string>
 #include <vector>
