@@ -32,7 +32,7 @@ RowMatrix stacked(const RowMatrix& above, const RowMatrix& below) {
 // Of the length of a row. For the sake of a nearer one a surface would go farther than it asks by
 // the inverse.
 constexpr double kFar = 0.03;
-constexpr double kLargest = 1e6;  // of shares: few digits are needed to know what is far
+constexpr double kLargestShare = 1e6;  // few digits are needed to know what is far
 
 RowNumbers from_to(int begin, int end) {
   RowNumbers numbers(static_cast<std::size_t>(end - begin));
@@ -54,7 +54,7 @@ RowNumbers in_doubt(const RowMatrix& rows, int first, const Context& context) {
   const RowBasis basis(rows, others, context);
   for (const int row : near) {
     if (row >= first) doubtful.insert(row);
-    const auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargest);
+    const auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargestShare);
     if (!expressed) return from_to(first, count);
     for (const auto& [other, share] : expressed->shares) {
       // With less of it the row would be no farther without it.
@@ -82,7 +82,7 @@ RowNumbers far_rows(const RowMatrix& rows, int first, const Context& context) {
   const RowBasis basis(rows, sure, context);
   std::vector<DependentRow> far;
   for (const int row : doubtful) {
-    auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargest);
+    auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargestShare);
     if (expressed && expressed->distance > kFar) far.push_back(std::move(*expressed));
   }
   for (const DependentRow& d : near_rows(rows, far, context).kept) {
