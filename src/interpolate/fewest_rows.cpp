@@ -16,6 +16,7 @@ std::vector<int> by_share(const DependentRow& d) {
     return std::abs(a.second) > std::abs(b.second);
   });
   std::vector<int> rows;
+  rows.reserve(shares.size());
   for (const auto& [row, share] : shares) rows.push_back(row);
   return rows;
 }
