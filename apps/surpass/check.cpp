@@ -24,15 +24,6 @@ struct Findings {
   std::vector<RequirementOutcome> outcomes = {};  ///< #requirements
 };
 
-/// The requirement that is missed by most, of at least one.
-std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes) {
-  std::size_t worst = 0;
-  for (std::size_t i = 1; i < outcomes.size(); ++i) {
-    if (!(outcomes[i].error <= outcomes[worst].error)) worst = i;
-  }
-  return worst;
-}
-
 class Check : public Command {
  public:
   void define(Options& options) override {

@@ -27,11 +27,6 @@ namespace surpass::cli {
 
 namespace {
 
-/// What is reported of each; none where there are none.
-Json requirements_in(const Json& report) {
-  return report.value(Json::json_pointer("/similarity/requirements"), Json::array());
-}
-
 class Interpolate : public Command {
  public:
   void define(Options& options) override;
@@ -41,15 +36,14 @@ class Interpolate : public Command {
   [[nodiscard]] Result<void> check_method();
   Result<void> choose_options(const Mesh& given, Session& session);
   Result<void> prepare(const Mesh& given, Session& session);
-  Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given, Session& session) const;
+  Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given, Session& session);
   [[nodiscard]] Result<std::vector<Point>> limit_positions(std::span<const Point> control,
                                                            const Session& session) const;
   Result<Verdict> verify(const Mesh& control, std::span<const Point> given, double side,
                          Session& session) const;
   Result<Certificate> certify_listed(const std::vector<Point>& limit,
                                      std::span<const Point> given) const;
-  [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error,
-                                         const Session& session) const;
+  [[nodiscard]] Result<void> not_reached(const SolveReport& solved, double error) const;
   Result<void> write(const Mesh& control, Session& session) const;
   [[nodiscard]] Result<void> check_nonstationary() const;
 
@@ -186,7 +180,7 @@ Result<void> Interpolate::run(Session& session) {
                                   name_of(options_.rules.scheme),
                                   name_of(options_.rules.boundary)));
   session.console.say(fmt::format("{}, {:.3g} s", summary(*solved, *verdict), session.seconds()));
-  const std::string required = summary_of_requirements(requirements_in(session.report));
+  const std::string required = similar_.summary_of_requirements();
   if (!required.empty()) session.console.say(required);
 
   const bool reached = solved->converged && verdict->judged() <= solved->tolerance;
@@ -197,11 +191,10 @@ Result<void> Interpolate::run(Session& session) {
       return written;
     }
   }
-  return reached ? Result<void>() : not_reached(*solved, verdict->judged(), session);
+  return reached ? Result<void>() : not_reached(*solved, verdict->judged());
 }
 
-Result<void> Interpolate::not_reached(const SolveReport& solved, double error,
-                                      const Session& session) const {
+Result<void> Interpolate::not_reached(const SolveReport& solved, double error) const {
   const std::string advice = keep_best_ ? "" : ", or have the best mesh written with --keep-best";
   if (error <= solved.tolerance && method_ == Method::progressive) {
     return fail(ErrorCode::not_converged,
@@ -210,7 +203,7 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error,
                             solved.tolerance, advice));
   }
   // The other methods meet everything from the start: only rounding is at work.
-  const std::string missed = missed_requirement(requirements_in(session.report));
+  const std::string missed = similar_.missed_requirement();
   if (error <= solved.tolerance || !missed.empty()) {
     return fail(
         ErrorCode::not_converged,
@@ -316,8 +309,7 @@ Result<void> Interpolate::prepare(const Mesh& given, Session& session) {
 }
 
 /// Turns the given mesh into the control mesh; its points become `given`.
-Result<SolveReport> Interpolate::solve(Mesh& mesh, std::vector<Point>& given,
-                                       Session& session) const {
+Result<SolveReport> Interpolate::solve(Mesh& mesh, std::vector<Point>& given, Session& session) {
   if (method_ != Method::progressive) {
     Result<SolveReport> solved = similar_.solve(mesh, given, session);
     if (solved) record(options_.rules, mesh);

@@ -112,9 +112,7 @@ std::string remedy(const Error& error) {
     case ErrorCode::duplicate_face: return "--repair drops such faces";
     case ErrorCode::unsuitable_for_scheme:
       // It cuts what is read: what is to be written may have polygons all the same.
-      return error.place.face && error.place.file.empty()
-                 ? "--triangulate cuts polygons into triangles"
-                 : "";
+      return error.place.face && error.place.file.empty() ? kCutPolygons : "";
     case ErrorCode::singular: return "--skip-component N leaves component N as it is";
     default: return {};
   }

@@ -59,6 +59,9 @@ void add_from_points(Options& options, Format& format, const std::string& descri
 /// components and boundary_loops.
 [[nodiscard]] Json mesh_json(const std::string& path, const Mesh& mesh);
 
+/// Of faces that are read and are no triangles.
+inline constexpr char kCutPolygons[] = "--triangulate cuts polygons into triangles";
+
 /// What to try on a mesh that was refused with this code ("--repair ..."), or "".
 [[nodiscard]] std::string remedy(const Error& error);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "mesh_input.hpp"
 #include "signals.hpp"
 
 namespace surpass::cli {
@@ -196,7 +197,7 @@ Result<void> MeshOutput::check(const Mesh& mesh, const std::string& path) const 
 
 Result<void> MeshOutput::check_as_read(const Mesh& mesh) const {
   auto fits = check(mesh, path_);
-  if (!fits) fits.error().message += "; --triangulate cuts polygons into triangles";
+  if (!fits) fits.error().message += fmt::format("; {}", kCutPolygons);
   return fits;
 }
 

@@ -155,34 +155,20 @@ Json outcomes_json(const std::vector<Requirement>& requirements,
   return list;
 }
 
-namespace {
-
-// The one that is missed by most, of at least one.
-std::size_t worst_of(const Json& outcomes) {
+std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes) {
   std::size_t worst = 0;
   for (std::size_t i = 1; i < outcomes.size(); ++i) {
-    if (outcomes[worst]["error"].get<double>() < outcomes[i]["error"].get<double>()) worst = i;
+    if (!(outcomes[i].error <= outcomes[worst].error)) worst = i;
   }
   return worst;
 }
 
-}  // namespace
-
-std::string summary_of_requirements(const Json& outcomes) {
-  if (outcomes.empty()) return "";
-  const std::size_t worst = worst_of(outcomes);
-  return fmt::format("requirements at most {:.3g} of the box side at {} ({}), {} of them",
-                     outcomes[worst]["error"].get<double>(), worst,
-                     outcomes[worst]["what"].get<std::string>(), outcomes.size());
-}
-
-std::string missed_requirement(const Json& outcomes) {
-  if (outcomes.empty()) return "";
-  const std::size_t worst = worst_of(outcomes);
-  const double error = outcomes[worst]["error"].get<double>();
-  if (!(error > kRequirementTolerance)) return "";
-  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side", worst,
-                     outcomes[worst]["what"].get<std::string>(), error);
+std::string missed_by(const std::vector<Requirement>& requirements,
+                      const std::vector<RequirementOutcome>& outcomes, double tolerance) {
+  if (all_met(outcomes, tolerance)) return "";
+  const std::size_t i = worst_of(outcomes);
+  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side", i,
+                     describe(requirements[i]), outcomes[i].error);
 }
 
 }  // namespace surpass::cli

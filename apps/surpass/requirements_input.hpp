@@ -42,12 +42,12 @@ class RequirementsInput {
 [[nodiscard]] Json outcomes_json(const std::vector<Requirement>& requirements,
                                  const std::vector<RequirementOutcome>& outcomes);
 
-/// "requirements at most 4.6e-16 of the box side at 3 (...), 9 of them", of what outcomes_json()
-/// made; empty if there are none.
-[[nodiscard]] std::string summary_of_requirements(const Json& outcomes);
+/// The requirement that is missed by most, of at least one.
+[[nodiscard]] std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes);
 
-/// Of such a list: which is missed by most, and by how much. Empty if none is missed by more than
-/// kRequirementTolerance.
-[[nodiscard]] std::string missed_requirement(const Json& outcomes);
+/// That one, and by how much. Empty if none is missed by more than the tolerance.
+[[nodiscard]] std::string missed_by(const std::vector<Requirement>& requirements,
+                                    const std::vector<RequirementOutcome>& outcomes,
+                                    double tolerance);
 
 }  // namespace surpass::cli

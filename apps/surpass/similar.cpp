@@ -280,13 +280,26 @@ void Similar::note_size(double side, std::span<const Point> control, Session& se
   }
 }
 
-Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) const {
+std::string Similar::summary_of_requirements() const {
+  if (outcomes_.empty()) return "";
+  const std::size_t worst = worst_of(outcomes_);
+  return fmt::format("requirements at most {:.3g} of the box side at {} ({}), {} of them",
+                     outcomes_[worst].error, worst, describe(requirements_[worst]),
+                     outcomes_.size());
+}
+
+std::string Similar::missed_requirement() const {
+  return missed_by(requirements_, outcomes_, kRequirementTolerance);
+}
+
+Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) {
   auto solution = session.timed("solve", [&] {
     return solver_->solve_required(requirements_, mesh.points, reference_, mesh.channels,
                                    session.context);
   });
   if (!solution) return tl::make_unexpected(solution.error());
   session.report["similarity"] = report_of(solution->report);
+  outcomes_ = std::move(solution->report.requirements);
   given = std::move(solution->targets);
   note_size(solution->report.solve.box_side, solution->points, session);
   mesh = solver_->refined();

@@ -44,8 +44,14 @@ class Similar {
 
   /// Turns the given mesh into the control mesh; its points become `given`, with those in their
   /// place that requirements ask for.
-  [[nodiscard]] Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given,
-                                          Session& session) const;
+  [[nodiscard]] Result<SolveReport> solve(Mesh& mesh, std::vector<Point>& given, Session& session);
+
+  /// "requirements at most 4.6e-16 of the box side at 3 (...), 9 of them", of what solve() found;
+  /// empty if there are none.
+  [[nodiscard]] std::string summary_of_requirements() const;
+
+  /// What of them it missed by more than kRequirementTolerance; empty if nothing is.
+  [[nodiscard]] std::string missed_requirement() const;
 
   /// For a control mesh that was written: whether its ring of dummies is lost there as such.
   void note_drawn_ring(const MeshOutput& output, Session& session) const;
@@ -77,8 +83,9 @@ class Similar {
   std::string reference_output_;
   RequirementsInput requirements_input_;
   std::vector<Requirement> requirements_;
-  std::vector<Point> reference_;   ///< of one's own, as read
-  std::optional<Mesh> resembled_;  ///< refined and stretched, where it is to be written
+  std::vector<RequirementOutcome> outcomes_;  // of solve()
+  std::vector<Point> reference_;              ///< of one's own, as read
+  std::optional<Mesh> resembled_;             ///< refined and stretched, where it is to be written
   std::optional<SimilarityInterpolator> solver_;
   Index ring_faces_ = 0;  ///< of the control mesh, its last
   Option thin_plate_;
