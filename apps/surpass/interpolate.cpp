@@ -207,12 +207,13 @@ Result<void> Interpolate::not_reached(const SolveReport& solved, double error) c
   if (error <= solved.tolerance || !missed.empty()) {
     return fail(
         ErrorCode::not_converged,
-        fmt::format("the positions {} the tolerance {:.3g}, {} {}, by rounding, which more "
-                    "iterations would not mend; ask for what the surface can do there, in numbers "
-                    "of the size of the mesh{}",
+        fmt::format("the positions {} the tolerance {:.3g}, {} {}{}",
                     error <= solved.tolerance ? "reached" : "did not reach", solved.tolerance,
                     error <= solved.tolerance ? "but" : "and",
-                    missed.empty() ? "a channel did not" : missed, advice));
+                    missed.empty()
+                        ? "a channel did not, by rounding, which more iterations would not mend"
+                        : missed,
+                    advice));
   }
   if (method_ != Method::progressive) {
     return fail(ErrorCode::not_converged,

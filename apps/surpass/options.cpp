@@ -121,6 +121,11 @@ Option Option::excludes(const Option& other) const {
   return *this;
 }
 
+Option Option::needs(const Option& other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
 Option Option::value_optional() const {
   option_->expected(0, 1);
   return *this;

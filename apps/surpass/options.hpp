@@ -29,6 +29,7 @@ class Option {
   Option default_text(const std::string& text) const;  ///< shown in --help
   Option required() const;
   Option excludes(const Option& other) const;
+  Option needs(const Option& other) const;
   Option value_optional() const;  ///< the name alone will do
   Option comma_separated() const;
   Option in_range(double low, double high) const;              ///< refuse other numbers

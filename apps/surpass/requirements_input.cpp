@@ -61,6 +61,10 @@ Result<std::vector<Point>> normals_for(const Mesh& given, const std::string& pat
   return std::move(*normals);
 }
 
+void reverse(std::vector<Point>& normals) {
+  for (double& c : flat(std::span(normals))) c = -c;
+}
+
 }  // namespace
 
 void RequirementsInput::define(Options& options, const std::string& group,
@@ -72,11 +76,17 @@ void RequirementsInput::define(Options& options, const std::string& group,
                more)
       .type_name("FILE")
       .group(group);
+  const Option normals =
+      options
+          .add("--normals", normals_path_,
+               "The surface shall have the vertex normals of this mesh, vertex by vertex; or "
+               "given: those of the given file")
+          .type_name("MESH")
+          .group(group);
   options
-      .add("--normals", normals_path_,
-           "The surface shall have the vertex normals of this mesh, vertex by vertex; or given: "
-           "those of the given file")
-      .type_name("MESH")
+      .flag("--reverse-normals", reverse_normals_,
+            "Take these normals with the opposite sign: for files that have them point inward")
+      .needs(normals)
       .group(group);
 }
 
@@ -106,9 +116,14 @@ Result<std::vector<Requirement>> RequirementsInput::load_list(const Mesh& given,
 Result<std::vector<Requirement>> RequirementsInput::load_normals(const Mesh& given,
                                                                  const Rules& rules,
                                                                  Session& session) const {
-  const auto normals = normals_for(given, normals_path_, session);
+  auto normals = normals_for(given, normals_path_, session);
   if (!normals) return tl::make_unexpected(normals.error());
+  if (reverse_normals_) reverse(*normals);
   auto everywhere = normals_everywhere(given, rules, *normals);
+  if (!everywhere && everywhere.error().code == ErrorCode::mismatch) {
+    everywhere.error().message += fmt::format(
+        "; {}", reverse_normals_ ? "leave out --reverse-normals" : "try --reverse-normals");
+  }
   if (everywhere && everywhere->size() < given.points.size()) {
     session.console.note(fmt::format(
         "a normal is required at {} of {} vertices; the others have none in the file, or the "
@@ -163,12 +178,20 @@ std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes) {
   return worst;
 }
 
-std::string missed_by(const std::vector<Requirement>& requirements,
-                      const std::vector<RequirementOutcome>& outcomes, double tolerance) {
+std::string why_missed(const std::vector<Requirement>& requirements,
+                       const std::vector<RequirementOutcome>& outcomes, double tolerance) {
   if (all_met(outcomes, tolerance)) return "";
   const std::size_t i = worst_of(outcomes);
-  return fmt::format("requirement {} ({}) is missed by {:.3g} of the box side", i,
-                     describe(requirements[i]), outcomes[i].error);
+  const std::string what = fmt::format("requirement {} ({})", i, describe(requirements[i]));
+  if (outcomes[i].flipped) {
+    return what +
+           " points the other way, and no surface was found where it does not; leave out "
+           "some of those nearby";
+  }
+  return fmt::format(
+      "{} is missed by {:.3g} of the box side, by rounding, which more iterations would not mend; "
+      "ask for what the surface can do there, in numbers of the size of the mesh",
+      what, outcomes[i].error);
 }
 
 }  // namespace surpass::cli

@@ -35,6 +35,7 @@ class RequirementsInput {
 
   std::string list_path_;
   std::string normals_path_;
+  bool reverse_normals_ = false;
 };
 
 /// For a report: what each is, its error, and of normals and directions the angle and whether it is
@@ -45,9 +46,10 @@ class RequirementsInput {
 /// The requirement that is missed by most, of at least one.
 [[nodiscard]] std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes);
 
-/// That one, and by how much. Empty if none is missed by more than the tolerance.
-[[nodiscard]] std::string missed_by(const std::vector<Requirement>& requirements,
-                                    const std::vector<RequirementOutcome>& outcomes,
-                                    double tolerance);
+/// What became of that one where a surface was looked for, and what helps. Empty if none is missed
+/// by more than the tolerance.
+[[nodiscard]] std::string why_missed(const std::vector<Requirement>& requirements,
+                                     const std::vector<RequirementOutcome>& outcomes,
+                                     double tolerance);
 
 }  // namespace surpass::cli

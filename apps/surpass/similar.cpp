@@ -289,7 +289,7 @@ std::string Similar::summary_of_requirements() const {
 }
 
 std::string Similar::missed_requirement() const {
-  return missed_by(requirements_, outcomes_, kRequirementTolerance);
+  return why_missed(requirements_, outcomes_, kRequirementTolerance);
 }
 
 Result<SolveReport> Similar::solve(Mesh& mesh, std::vector<Point>& given, Session& session) {

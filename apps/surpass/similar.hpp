@@ -50,7 +50,7 @@ class Similar {
   /// empty if there are none.
   [[nodiscard]] std::string summary_of_requirements() const;
 
-  /// What of them it missed by more than kRequirementTolerance; empty if nothing is.
+  /// What of them it missed by more than kRequirementTolerance, and why; empty if nothing is.
   [[nodiscard]] std::string missed_requirement() const;
 
   /// For a control mesh that was written: whether its ring of dummies is lost there as such.

@@ -54,7 +54,8 @@ struct Requirement {
 /// where creases of infinite sharpness meet or pass, under edge_only at vertices of one face, and
 /// on Catmull-Clark surfaces inside at vertices of two.
 /// Where `normals` (#V) has no direction, none is required. Fails where Topology::build does, and
-/// with `mismatch` if the sizes differ.
+/// with `mismatch` if the sizes differ or if most of them point to the back of the faces at their
+/// vertices: the surface would have to turn over at each.
 [[nodiscard]] Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh,
                                                                   const Rules& rules,
                                                                   std::span<const Point> normals);
@@ -73,13 +74,14 @@ struct RequirementOutcome {
   bool redundant = false;  ///< it follows from the others, or from the given vertices
   /// What is left of its equations on the final surface, relative to the side of the given points'
   /// box, with those that requirements move at their new places: the distance of positions, the
-  /// difference of derivatives, the part of du and dv along the normal, the part of the derivative
-  /// across the direction; derivatives along `along` at length 1.
+  /// difference of derivatives, the part of du and dv along the normal (by the parameters of
+  /// the mesh refined once), the part of the derivative across the direction; derivatives along
+  /// `along` at length 1. Where the surface has the
+  /// opposite normal or direction, its tangents' distance from the nearest that have not.
   double error = 0;
   /// The angle to the normal or direction in radians, 0 to pi; 0 for other kinds.
   double angle = 0;
-  /// The surface has the opposite normal or direction, for its equations cannot tell and nothing
-  /// better was found. Or none at all.
+  /// The surface has the opposite normal or direction, or none at all.
   bool flipped = false;
   /// Its tangents would have vanished, or gone the other way, and were given lengths.
   bool length_chosen = false;
@@ -89,12 +91,12 @@ struct RequirementOutcome {
 };
 
 /// A sentence each, with a count and the first of them, on those of #requirements that were
-/// dropped, met with the opposite sign, or missed by more than `tolerance`.
+/// dropped, that point the other way, or are missed by more than `tolerance`.
 [[nodiscard]] std::vector<std::string> notes_on(std::span<const Requirement> requirements,
                                                 std::span<const RequirementOutcome> outcomes,
                                                 double tolerance);
 
-/// Whether every error is within the tolerance; a sign is no error.
+/// Whether every error is within the tolerance.
 [[nodiscard]] bool all_met(std::span<const RequirementOutcome> outcomes, double tolerance);
 
 }  // namespace surpass

@@ -31,15 +31,14 @@ std::vector<std::string> notes_on(std::span<const Requirement> requirements,
   note_where("was dropped, for it follows from the others",
              "were dropped, for they follow from the others",
              std::mem_fn(&RequirementOutcome::redundant));
-  note_where("was met with the opposite sign, which its equations cannot tell",
-             "were met with the opposite sign, which their equations cannot tell",
+  note_where("points the other way", "point the other way",
              std::mem_fn(&RequirementOutcome::flipped));
   note_where("leaves the surface without a tangent plane, for derivatives there are parallel",
              "leave the surface without a tangent plane, for derivatives there are parallel",
              std::mem_fn(&RequirementOutcome::without_plane));
   const std::string missed = fmt::format("missed by more than {:.3g} of the box side", tolerance);
   note_where("was " + missed, "were " + missed,
-             [&](const RequirementOutcome& o) { return is_missed(o, tolerance); });
+             [&](const RequirementOutcome& o) { return is_missed(o, tolerance) && !o.flipped; });
   return notes;
 }
 

@@ -21,6 +21,13 @@ double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
+// How far both together have to move to be parallel: their least singular value.
+double distance_to_parallel(const Vector3& u, const Vector3& v) {
+  Eigen::Matrix<double, 3, 2> both;
+  both << u, v;
+  return Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>>(both).singularValues()[1];
+}
+
 // Only where there are two. Rounding tells them apart by less.
 bool are_parallel(const Vector3& u, const Vector3& v) {
   constexpr double kParallel = 1e-12;
@@ -33,9 +40,11 @@ RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>&
   RequirementOutcome outcome;
   const Vector3 value = vector_of(r.value);
   const Vector3 derivative = along[0] * vector_of(s.du) + along[1] * vector_of(s.dv);
-  const auto judge_angle = [&](const Vector3& found) {
+  // `reach`: how far the tangents are from the nearest that point the right way.
+  const auto judge_angle = [&](const Vector3& found, double reach) {
     outcome.angle = angle_between(value, found);
     outcome.flipped = outcome.angle > std::acos(-1.0) / 2;
+    if (outcome.flipped) outcome.error = std::max(outcome.error, reach / side);
   };
   switch (r.kind) {
     case Requirement::Kind::position:
@@ -45,13 +54,13 @@ RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>&
       const Vector3 n = value.stableNormalized();
       outcome.error =
           std::max(std::abs(n.dot(vector_of(s.du))), std::abs(n.dot(vector_of(s.dv)))) / side;
-      judge_angle(vector_of(s.normal));
+      judge_angle(vector_of(s.normal), distance_to_parallel(vector_of(s.du), vector_of(s.dv)));
       break;
     }
     case Requirement::Kind::direction: {
       const Vector3 d = value.stableNormalized();
       outcome.error = (derivative - derivative.dot(d) * d).norm() / side;
-      judge_angle(derivative);
+      judge_angle(derivative, derivative.norm());
       break;
     }
     case Requirement::Kind::derivative: outcome.error = (derivative - value).norm() / side; break;

@@ -1,11 +1,15 @@
 #include <surpass/requirements.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "interpolate/requirement_places.hpp"
+#include "mesh/wording.hpp"
 #include "scheme/sharpness.hpp"
+#include "scheme/tangents.hpp"
 
 namespace surpass {
 namespace {
@@ -32,6 +36,22 @@ Result<std::vector<Index>> sharp_ends(const Mesh& mesh, const Topology& topology
     if (!one_face && is_infinite(sharpness->vertex(corner.vertex))) ends[corner.vertex] = 2;
   }
   return ends;
+}
+
+// Normals of a whole mesh point to the back of its faces where one or the other was turned over.
+Result<void> check_sides(const Mesh& mesh, const Topology& topology,
+                         std::span<const Requirement> normals) {
+  const auto points_back = [&](const Requirement& r) {
+    const Point face = mean_face_normal(mesh, topology, r.vertex);
+    return std::inner_product(face.begin(), face.end(), r.value.begin(), 0.0) < 0;
+  };
+  const auto back = std::count_if(normals.begin(), normals.end(), points_back);
+  if (2 * static_cast<std::size_t>(back) <= normals.size()) return {};
+  return fail(
+      ErrorCode::mismatch,
+      fmt::format("{} of {} point to the back of the faces at their vertices: these normals, "
+                  "or the faces, are the wrong way round",
+                  back, counted(normals.size(), "normal", "normals")));
 }
 
 }  // namespace
@@ -98,6 +118,9 @@ Result<std::vector<Requirement>> normals_everywhere(const Mesh& mesh, const Rule
     r.kind = Requirement::Kind::normal;
     r.vertex = v;
     r.value = n;
+  }
+  if (auto ok = check_sides(mesh, *topology, requirements); !ok) {
+    return tl::make_unexpected(ok.error());
   }
   return requirements;
 }

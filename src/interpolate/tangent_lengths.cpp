@@ -27,23 +27,9 @@ bool do_vanish(const Tangents& tangents, const Tangents& reference) {
   return sine_between(tangents) <= kVanishing * sine_between(reference);
 }
 
-// Of the normal or direction that is asked for and the one that is there.
-double cosine_to(const Tangents& tangents, const Requirement& r) {
-  const Vector3 found = tangents.cols() == 1
-                            ? Vector3(tangents.col(0))
-                            : Vector3(tangents.col(0)).cross(Vector3(tangents.col(1)));
-  return found.stableNormalized().dot(unit_vector(r.value));
-}
-
-// Equations do not know signs. But whoever asks for nearly the opposite of what is there may have
-// turned a sign round, and a surface that did it would fold.
-bool are_opposite(const Tangents& tangents, const Tangents& reference, const Requirement& r) {
-  constexpr double kReversed = -0.7;  // 134 degrees
-  return cosine_to(tangents, r) < 0 && cosine_to(reference, r) > kReversed;
-}
-
+// Equations do not know signs.
 bool are_bad(const Tangents& tangents, const Tangents& reference, const Requirement& r) {
-  return do_vanish(tangents, reference) || are_opposite(tangents, reference, r);
+  return do_vanish(tangents, reference) || cosine_to(tangents, r) < 0;
 }
 
 // The reference's tangents, or stand-ins where it has none: not folded, and of the points' width.

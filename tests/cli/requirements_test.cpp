@@ -257,6 +257,36 @@ TEST_F(Requirements, NormalsOfCornersThatAgree) {
   for (const json& r : requirements) EXPECT_EQ(r["flipped"], false);
 }
 
+TEST_F(Requirements, NormalsThatPointInwardAreRefusedUnlessReversed) {
+  const std::string given = folder_ / "given.ply";
+  const std::string inward = folder_ / "inward.ply";
+  ASSERT_EQ(surpass({"subdivide", data("quad_torus.obj"), "-o", given, "--levels", "0", "--limit"})
+                .status,
+            0);
+  Mesh mesh = read_mesh(given)->mesh;
+  for (Channel& channel : mesh.channels) {
+    if (channel.name != "normal") continue;
+    for (double& c : channel.values) c = -c;
+  }
+  ASSERT_TRUE(write_mesh(mesh, inward));
+  const std::vector<std::string> words = {"interpolate", given,        "-o",        control_,
+                                          "--method",    "similarity", "--normals", inward};
+  const Outcome refused = surpass(words);
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("point to the back of the faces"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("try --reverse-normals"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(control_));
+  std::vector<std::string> reversed = words;
+  reversed.emplace_back("--reverse-normals");
+  EXPECT_EQ(surpass(reversed).status, 0);
+  EXPECT_EQ(surpass({"check", control_, "--against", given, "--normals", given}).status, 0);
+  reversed[7] = given;
+  EXPECT_NE(surpass(reversed).err.find("leave out --reverse-normals"), std::string::npos);
+  const Outcome alone =
+      surpass({"interpolate", given, "-o", control_, "--method", "fair", "--reverse-normals"});
+  EXPECT_EQ(alone.status, 1) << alone.err;
+}
+
 TEST_F(Requirements, AFolderIsNoFile) {
   for (const char* option : {"--requirements", "--only"}) {
     std::vector<std::string> words = {"interpolate", data("quad_torus.obj"), "-o", control_,

@@ -131,23 +131,83 @@ TEST(RequirementTangents, AShortDerivativeIsNoShrunkSurface) {
   }
 }
 
-// As where all normals of a file point inward: nothing folds, and it is said.
-TEST(RequirementTangents, NormalsOfTheOtherSignDoNotFoldTheSurface) {
+// The surface turns over there, for its sign is a part of what a normal says.
+TEST(RequirementTangents, OppositeNormalsAndDirectionsAreMetWithTheirSign) {
   const Mesh mesh = test::icosahedron();
-  const auto solver =
-      SimilarityInterpolator::create(mesh, {.rules = {Scheme::catmull_clark}}).value();
-  std::vector<Requirement> outward;
-  std::vector<Requirement> inward;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  const Index corner = corner_of(mesh, 5);
+  const Index next = mesh.face_vertices[corner / 3 * 3 + (corner + 1) % 3];
+  Point back;
+  for (std::size_t c = 0; c < 3; ++c) back[c] = mesh.points[5][c] - mesh.points[next][c];
+  const auto inward = [&](Index v) {
     const Point& p = mesh.points[v];
-    outward.push_back(test::at_vertex(Kind::normal, v, p));
-    inward.push_back(test::at_vertex(Kind::normal, v, {-p[0], -p[1], -p[2]}));
+    return test::at_vertex(Kind::normal, v, {-p[0], -p[1], -p[2]});
+  };
+  const std::vector<Requirement> all = {inward(0), inward(7),
+                                        test::towards(Kind::direction, 5, next, back)};
+  for (const Similarity form : {Similarity::vectors, Similarity::directions, Similarity::fair}) {
+    SimilarityOptions options;
+    options.similarity = form;
+    options.rules = {Scheme::catmull_clark};
+    const auto found = interpolate_required(mesh, all, options);
+    ASSERT_TRUE(found) << describe(found.error());
+    const LimitSurface surface = LimitSurface::create(found->control, options.rules).value();
+    for (const Index v : {0U, 7U}) {
+      const Point n = surface.evaluate({corner_of(mesh, v), 0, 0}).value().normal;
+      const Point& p = mesh.points[v];
+      EXPECT_NEAR(n[0] * p[0] + n[1] * p[1] + n[2] * p[2], -length(p), 1e-12);
+    }
+    const Point du = surface.evaluate({corner, 0, 0}).value().du;
+    const double along = du[0] * back[0] + du[1] * back[1] + du[2] * back[2];
+    EXPECT_NEAR(along, length(du) * length(back), 1e-12);
+    for (const auto& outcome : found->report.requirements) {
+      EXPECT_LT(outcome.error, 1e-14);
+      EXPECT_FALSE(outcome.flipped);
+      EXPECT_TRUE(outcome.length_chosen);
+    }
   }
-  const auto found = solver.solve_required(outward, mesh.points).value();
-  const auto reversed = solver.solve_required(inward, mesh.points).value();
-  EXPECT_LT(test::max_distance(found.points, reversed.points), 1e-12);
-  for (const auto& outcome : found.report.requirements) EXPECT_FALSE(outcome.flipped);
-  for (const auto& outcome : reversed.report.requirements) EXPECT_TRUE(outcome.flipped);
+}
+
+// Where nothing else is asked: a mesh's own normals, turned inward, at some vertices or at all.
+TEST(RequirementTangents, ManyOppositeNormalsAreMetWithTheirSign) {
+  const Mesh mesh = test::random_polygons({.seed = 4, .kind = 1, .size = 8});
+  const Rules rules{Scheme::catmull_clark};
+  const auto normals = limit_normals(mesh, rules).value();
+  for (const Index every : {5U, 1U}) {
+    std::vector<Requirement> all;
+    for (Index v = 0; v < mesh.vertex_count(); v += every) {
+      const Point& n = normals[v];
+      all.push_back(test::at_vertex(Kind::normal, v, {-n[0], -n[1], -n[2]}));
+    }
+    const auto found = interpolate_required(mesh, all);
+    ASSERT_TRUE(found) << describe(found.error());
+    for (const RequirementOutcome& outcome : found->report.requirements) {
+      EXPECT_LT(outcome.error, 1e-14);
+      EXPECT_LT(outcome.angle, 1e-12);
+    }
+  }
+}
+
+// How far the tangents have to move: along one the whole length, for a normal the lesser of two
+// that are orthogonal.
+TEST(RequirementTangents, TheErrorOfAnOppositeSignIsTheWayToTheRightOne) {
+  const Mesh mesh = flat_sheet();
+  const Rules rules{Scheme::catmull_clark};
+  const SurfacePlace place{14, 0.5, 0.5};
+  const SurfaceSample s = LimitSurface::create(mesh, rules).value().evaluate(place).value();
+  ASSERT_EQ(s.normal, (Point{0, 0, 1}));
+  const double side = bounding_box(mesh.points).side();
+  const auto expect = [&](const Requirement& r, double error) {
+    const auto outcome = certify_required(mesh, mesh, rules, std::vector{r}).value().outcomes[0];
+    EXPECT_NEAR(outcome.error, error / side, 1e-14);
+    EXPECT_EQ(outcome.flipped, error > 0);
+    EXPECT_NEAR(outcome.angle, error > 0 ? std::acos(-1.0) : 0, 1e-12);
+  };
+  expect(test::on_face(Kind::normal, place, {0, 0, 1}), 0);
+  // By the parameters of the mesh refined once, where derivatives are half as long.
+  expect(test::on_face(Kind::normal, place, {0, 0, -1}), std::min(length(s.du), length(s.dv)) / 2);
+  const Point back = {-s.du[0], -s.du[1], -s.du[2]};
+  expect(test::on_face(Kind::direction, place, s.du, {1, 0}), 0);
+  expect(test::on_face(Kind::direction, place, back, {1, 0}), length(s.du));
 }
 
 TEST(RequirementTangents, NormalsAcrossTheSurfaceAreMet) {

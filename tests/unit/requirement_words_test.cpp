@@ -177,6 +177,27 @@ TEST(NormalsEverywhere, GoByWhatIsSharpInTheEnd) {
   EXPECT_EQ(count(crease), plain.points.size());
 }
 
+// A file whose normals all point inward, or whose faces are wound the other way.
+TEST(NormalsEverywhere, RefuseTheBackOfMostFaces) {
+  const Mesh mesh = test::icosahedron();
+  const Rules rules{Scheme::catmull_clark};
+  std::vector<Point> normals = mesh.points;
+  EXPECT_EQ(normals_everywhere(mesh, rules, normals).value().size(), 12U);
+  const auto turn = [&](std::size_t first, std::size_t end) {
+    for (std::size_t v = first; v < end; ++v) {
+      for (double& c : normals[v]) c = -c;
+    }
+  };
+  turn(0, 6);
+  EXPECT_TRUE(normals_everywhere(mesh, rules, normals));
+  turn(6, 7);
+  const auto refused = normals_everywhere(mesh, rules, normals);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::mismatch);
+  EXPECT_NE(refused.error().message.find("7 of 12 normals point to the back"), std::string::npos)
+      << refused.error().message;
+}
+
 TEST(PrescribesAtBoundary, AVertexIsWhereItsFacesCornersAre) {
   const Mesh mesh = test::quad_grid(5, 5);
   const auto topology = Topology::build(mesh).value();
