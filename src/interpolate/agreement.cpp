@@ -1,11 +1,13 @@
 #include "interpolate/agreement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "interpolate/balanced_values.hpp"
 #include "interpolate/dispensable_rows.hpp"
 #include "interpolate/fewest_rows.hpp"
 #include "interpolate/requirement_places.hpp"
@@ -13,8 +15,6 @@
 namespace surpass {
 namespace {
 
-// Relative to the box side: equations that are dropped must hold to this.
-constexpr double kHolds = kRequirementTolerance;
 // In box sides: how far from the origin of the solve surfaces are taken to be.
 constexpr double kReach = 3;
 
@@ -49,7 +49,9 @@ Agreement::Agreement(const FreeEquations& equations, const RequirementRows& rows
       rows_(rows),
       requirements_(requirements),
       system_(system),
-      side_(units.side * units.scale) {
+      side_(units.side * units.scale),
+      rounding_(units.rounding),
+      holds_(std::max(kRequirementTolerance, units.rounding)) {
   std::vector<double> fixed(system.size(), 0.0);
   system.elimination.meet(system.context, 3, targets, fixed);
   missed_ = equations.in_units -
@@ -71,7 +73,7 @@ Result<void> Agreement::check_fixed() const {
       return refuse_requirement(requirements_[number], number, kTooLarge, ErrorCode::not_finite);
     }
     if (equations_.factor[i] != 0 || is_chosen(row)) continue;
-    if (missed > kHolds + kReach * equations_.free.row(i).norm()) {
+    if (missed > holds_ + kReach * equations_.free.row(i).norm()) {
       return contradiction({}, requirement_of(row), missed, requirements_);
     }
   }
@@ -108,20 +110,23 @@ double Agreement::missed_by(const DependentRow& d) const {
   return std::abs(rest) / equations_.factor[d.row] / side_;
 }
 
+// How much of what others are missed by it is missed by.
+double Agreement::weight_of(const DependentRow& d) const {
+  double weight = 0;
+  for (const auto& [other, share] : d.shares) weight += std::abs(share) * equations_.factor[other];
+  return weight / equations_.factor[d.row];
+}
+
 // By how much it may be missed for what is left of it apart from its sum, of which it is not known
-// what the surface makes.
+// what the surface makes, and for numbers that were rounded before they came here.
 double Agreement::allowed_to(const DependentRow& d) const {
-  return kHolds + kReach * d.distance / equations_.factor[d.row];
+  return holds_ + kReach * d.distance / equations_.factor[d.row] + rounding_ * weight_of(d);
 }
 
 // Whether it is missed even if all others are, too, by as much as is allowed.
 bool Agreement::surely_contradicts(const DependentRow& d) const {
   if (equations_.factor[d.row] == 0) return false;
-  double allowed = allowed_to(d);
-  for (const auto& [other, share] : d.shares) {
-    allowed += std::abs(share) * equations_.factor[other] / equations_.factor[d.row] * kHolds;
-  }
-  return missed_by(d) > allowed;
+  return missed_by(d) > allowed_to(d) + holds_ * weight_of(d);
 }
 
 Result<void> Agreement::check_dependent(const DependentRow& d) {
@@ -155,6 +160,25 @@ tl::unexpected<Error> Agreement::contradicts(const DependentRow& d) const {
 
 FreeEquations::Rows Agreement::picked_rows() const {
   return pick_of(found_, equations_.factor.size()) * equations_.factor.asDiagonal();
+}
+
+Eigen::VectorXd Agreement::values() const {
+  constexpr double kMatters = 0.1;  // of what is allowed
+  std::vector<DependentRow> dropped;
+  bool matters = false;
+  for (const DependentRow& d : found_.dependent) {
+    if (is_chosen(d.row) || equations_.factor[d.row] == 0) continue;
+    dropped.push_back(d);
+    matters = matters || missed_by(d) > kMatters * holds_;
+  }
+  if (!matters) return equations_.in_units;
+  const Eigen::VectorXd wanted = missed_.cwiseProduct(equations_.factor);
+  const Eigen::VectorXd balanced = balanced_values(dropped, wanted, system_.context);
+  Eigen::VectorXd values = equations_.in_units;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (equations_.factor[i] != 0) values[i] += (balanced[i] - wanted[i]) / equations_.factor[i];
+  }
+  return values;
 }
 
 std::vector<unsigned char> Agreement::redundant() const {

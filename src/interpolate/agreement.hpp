@@ -35,6 +35,10 @@ class Agreement {
   /// its place, at full length.
   [[nodiscard]] FreeEquations::Rows picked_rows() const;
 
+  /// What all equations are to be, in the units of the solve: made to agree where dropped ones
+  /// would be missed by rounding.
+  [[nodiscard]] Eigen::VectorXd values() const;
+
   /// #requirements: 1 where none of its equations was taken.
   [[nodiscard]] std::vector<unsigned char> redundant() const;
 
@@ -52,6 +56,7 @@ class Agreement {
     return rows_.rows[static_cast<std::size_t>(row)].chosen;
   }
   [[nodiscard]] double missed_by(const DependentRow& d) const;
+  [[nodiscard]] double weight_of(const DependentRow& d) const;
   [[nodiscard]] double allowed_to(const DependentRow& d) const;
   [[nodiscard]] bool surely_contradicts(const DependentRow& d) const;
   [[nodiscard]] Result<void> check_dependent(const DependentRow& d);
@@ -64,6 +69,8 @@ class Agreement {
   std::span<const Requirement> requirements_;
   const FreeSystem& system_;
   double side_;                 // of the box, in the units of the solve
+  double rounding_;             // relative to it
+  double holds_;                // relative to it: dropped equations must hold to this
   Eigen::VectorXd missed_;      // by each, in the units of the solve, where all free points are 0
   FreeEquations::Rows scaled_;  // to length 1, once choose() was called
   IndependentRows found_;

@@ -57,13 +57,12 @@ FreeEquations free_equations(const RequirementRows& equations,
                              const Elimination& elimination, const ConstraintUnits& units) {
   FreeEquations result;
   add_rows(equations, elimination, result);
-  for (Eigen::VectorXd* v : {&result.in_units, &result.absolute, &result.factor}) {
+  for (Eigen::VectorXd* v : {&result.in_units, &result.factor}) {
     v->resize(result.all.rows());
   }
   for (Eigen::Index i = 0; i < result.all.rows(); ++i) {
     const RequirementRow& row = equations.rows[static_cast<std::size_t>(i)];
     result.in_units[i] = value_in_units(row, requirements[row.requirement], units);
-    result.absolute[i] = row.value;
     const double length = result.all.row(i).norm();
     const double left = result.free.row(i).norm();
     result.factor[i] = left > kDependent * length ? 1 / length : 0;

@@ -15,6 +15,7 @@ struct ConstraintUnits {
   Point origin;
   double scale;
   double side = 1;  ///< of the given points' box, which what is missed is relative to
+  double rounding;  ///< of the given coordinates, relative to the side
 };
 
 /// #equations rows; columns are the numbers of control points, #control by 3.
@@ -23,7 +24,6 @@ struct FreeEquations {
   Rows all;                  ///< over all control points
   Rows free;                 ///< over the free ones, after elimination
   Eigen::VectorXd in_units;  ///< what the equations are to be, in the units of the solve
-  Eigen::VectorXd absolute;  ///< the same as given
   Eigen::VectorXd factor;    ///< makes rows of `all` as long as 1; 0 where free points say nothing
 };
 

@@ -24,7 +24,8 @@ bool by_row(const DependentRow& a, const DependentRow& b) { return a.row < b.row
 
 // Of the rows in the sum, the last behind the dependent one that can change places with it.
 std::optional<std::size_t> last_behind(const DependentRow& d) {
-  constexpr double kSound = 0.5;  // as a divisor
+  constexpr double kSound =
+      0.99;  // as a divisor: many changes of less would leave the others nearly dependent
   std::optional<std::size_t> last;
   for (std::size_t k = 0; k < d.shares.size(); ++k) {
     if (d.shares[k].first < d.row || std::abs(d.shares[k].second) < kSound) continue;
@@ -127,6 +128,15 @@ bool keep_near(const Rows& rows, const Suffices& suffices, const Context& contex
   return !context.cancelled();
 }
 
+// Whether none of those that are kept depends on others after all: of shares so large that what
+// kShift makes of them is not suspect, the first decomposition knows nothing.
+bool stay_independent(const Rows& rows, const std::vector<int>& kept, const Context& context) {
+  constexpr double kLeast = 1e-11;  // a squared distance
+  SparseCholesky factor;
+  return kept.empty() || (factor.compute(products_of(picked(rows, kept)), 0, context) &&
+                          factor.pivots().minCoeff() > kLeast);
+}
+
 // Those among `which`, ascending.
 std::optional<IndependentRows> independent_among(const Rows& rows, const std::vector<int>& which,
                                                  const Suffices& suffices, const Context& context) {
@@ -146,7 +156,8 @@ std::optional<IndependentRows> independent_among(const Rows& rows, const std::ve
     }
     if (looked_at == suspects.size()) continue;
     looked_at = suspects.size();
-    if (express_all(rows, suspects, heard, context, found)) {
+    if (express_all(rows, suspects, heard, context, found) &&
+        (suspects.empty() || stay_independent(rows, found.independent, context))) {
       if (!keep_near(rows, heard, context, found)) break;
       return found;
     }

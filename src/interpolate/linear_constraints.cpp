@@ -44,7 +44,6 @@ struct LinearConstraints::Contents {
   Rows free;      // the same over free points
   Rows downward;  // inverse blocks times the transpose of `free`
   Vector value;   // in the units of the solve
-  Vector absolute_value;
   SparseCholesky products;
   bool decomposed = false;
   Vector squares;  // the diagonal of the products
@@ -52,13 +51,13 @@ struct LinearConstraints::Contents {
   std::vector<unsigned char> with_lengths;
   std::set<std::size_t> opposed;
 
-  // The equations that are solved for: `pick` times all that were asked. Incomplete if cancelled.
-  void solve_for(const Rows& pick, const FreeEquations& equations, const Rows& inverse,
+  // Of all that were asked those that the agreement picks. Incomplete if cancelled.
+  void solve_for(const Agreement& agreement, const FreeEquations& equations, const Rows& inverse,
                  const Context& context) {
+    const Rows pick = agreement.picked_rows();
     all = pick * equations.all;
     free = pick * equations.free;
-    value = pick * equations.in_units;
-    absolute_value = pick * equations.absolute;
+    value = pick * agreement.values();
     if (context.cancelled()) return;
     downward = inverse * Rows(free.transpose());
     if (context.cancelled()) return;
@@ -119,12 +118,12 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
   const bool may_be = !any_chosen && equations.free.rows() <= equations.free.cols();
   if (may_be) {
     agreement.take_all();
-    contents->solve_for(agreement.picked_rows(), equations, inverse, context);
+    contents->solve_for(agreement, equations, inverse, context);
   }
   if (context.cancelled()) return cancelled();
   if (!may_be || !contents->far_from_dependent()) {
     if (auto ok = agreement.choose(); !ok) return tl::make_unexpected(ok.error());
-    contents->solve_for(agreement.picked_rows(), equations, inverse, context);
+    contents->solve_for(agreement, equations, inverse, context);
   }
   if (context.cancelled()) return cancelled();
   if (!contents->decomposed) return not_told_apart();
@@ -147,10 +146,10 @@ void LinearConstraints::keep(std::span<double> change) const {
   x -= contents_->downward * contents_->multipliers(altered);
 }
 
-void LinearConstraints::meet(const Context& context, std::span<double> x, bool in_units) const {
+void LinearConstraints::meet(const Context& context, std::span<double> x) const {
   const Eigen::Map<const Vector> at(x.data(), static_cast<Eigen::Index>(x.size()));
-  const Vector& value = in_units ? contents_->value : contents_->absolute_value;
-  const Vector change = contents_->downward * contents_->multipliers(value - contents_->all * at);
+  const Vector right = contents_->value - contents_->all * at;
+  const Vector change = contents_->downward * contents_->multipliers(right);
   std::vector<double> extended(change.data(), change.data() + change.size());
   contents_->elimination->meet(context, 3, {}, extended);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += extended[i];

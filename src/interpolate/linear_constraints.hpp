@@ -43,8 +43,8 @@ class LinearConstraints {
   void keep(std::span<double> change) const;
 
   /// The least change, by the preconditioner, after which the equations hold; the limits of the
-  /// given vertices stay. `in_units`: whether x is in the units of the solve.
-  void meet(const Context& context, std::span<double> x, bool in_units) const;
+  /// given vertices stay. x is in the units of the solve.
+  void meet(const Context& context, std::span<double> x) const;
 
   /// #requirements: 1 where all its equations were dropped.
   [[nodiscard]] const std::vector<unsigned char>& redundant() const;

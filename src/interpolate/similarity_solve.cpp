@@ -184,8 +184,10 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
                                                         std::span<const double> given,
                                                         const Units& units) {
   if (wanted.equations == nullptr || wanted.equations->rows.empty()) return std::nullopt;
-  const ConstraintUnits own{
-      {units.centre[0], units.centre[1], units.centre[2]}, units.scale, units.side};
+  const ConstraintUnits own{{units.centre[0], units.centre[1], units.centre[2]},
+                            units.scale,
+                            units.side,
+                            floored_tolerance(0, wanted.given, units.side)};
   auto built = LinearConstraints::build(*wanted.equations, wanted.requirements, system, given, own);
   if (!built) return tl::make_unexpected(built.error());
   return std::move(*built);
@@ -218,7 +220,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
   if (!constraints) return tl::make_unexpected(constraints.error());
   if (*constraints) {
     system.constraints = &**constraints;
-    system.constraints->meet(context, found.values, true);
+    system.constraints->meet(context, found.values);
     found.redundant = system.constraints->redundant();
     found.with_lengths = system.constraints->with_lengths();
     found.opposed = system.constraints->opposed();
@@ -227,14 +229,13 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
     found.outcome = minimise(prepared, system, found.reference, given, found.values);
   }
   if (found.outcome.cancelled) return fail(ErrorCode::cancelled, "cancelled while solving");
+  // Of the steps. What leaving the units rounds is left: correcting it where the given points are
+  // met to rounding alone would multiply it in equations that were dropped.
+  if (*constraints) system.constraints->meet(context, found.values);
   units.leave(context, found.values);
   leave_reference(prepared, wanted, units, context, found.reference);
   // Once more from the given numbers themselves: exact to the last rounding.
   wanted.elimination.meet(context, wanted.width, wanted.given, found.values);
-  if (*constraints) {
-    system.constraints->meet(context, found.values, false);
-    wanted.elimination.meet(context, wanted.width, wanted.given, found.values);
-  }
   return found;
 }
 

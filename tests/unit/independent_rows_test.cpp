@@ -1,6 +1,7 @@
 // Which rows are independent, against dense decompositions.
 #include "interpolate/independent_rows.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -8,6 +9,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "interpolate/balanced_values.hpp"
 #include "interpolate/dispensable_rows.hpp"
 #include "interpolate/fewest_rows.hpp"
 
@@ -65,6 +67,25 @@ TEST(IndependentRows, AreAsManyAsTheRank) {
     EXPECT_EQ(found->independent.size() + found->near.size(), 35U);
     EXPECT_EQ(found->dependent.size(), 165U);
     for (const DependentRow& d : found->dependent) EXPECT_LT(rest(rows, d).norm(), 1e-12);
+  }
+}
+
+// Of a repeated row the first is kept, but not at the cost of what tells the others apart.
+TEST(IndependentRows, StayFarFromDependent) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> number;
+    Dense rows = Dense::NullaryExpr(300, 60, [&] { return number(random); });
+    rows.rowwise().normalize();
+    const auto found = independent(rows);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->independent.size(), 60U);
+    Dense kept(60, 60);
+    for (Eigen::Index i = 0; i < 60; ++i) {
+      kept.row(i) = rows.row(found->independent[static_cast<std::size_t>(i)]);
+    }
+    EXPECT_GT(Eigen::JacobiSVD<Dense>(kept).singularValues()[59], 1e-3);
   }
 }
 
@@ -188,6 +209,51 @@ TEST(DispensableRows, AreKeptWhereTheyAreFar) {
       }
     }
   }
+}
+
+std::vector<DependentRow> sums(const Dense& shares) {
+  std::vector<DependentRow> dropped;
+  for (Eigen::Index i = 0; i < shares.rows(); ++i) {
+    DependentRow& d = dropped.emplace_back();
+    d.row = static_cast<int>(shares.cols() + i);
+    for (Eigen::Index k = 0; k < shares.cols(); ++k) {
+      d.shares.emplace_back(static_cast<int>(k), shares(i, k));
+    }
+  }
+  return dropped;
+}
+
+// Against a dense solution of the same least squares, with shares up to thousands.
+TEST(BalancedValues, AreThoseOfLeastSquares) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> number;
+  const auto dense = [&](Eigen::Index rows, Eigen::Index columns, double size) {
+    return Dense(Dense::NullaryExpr(rows, columns, [&] { return size * number(random); }));
+  };
+  for (const double size : {1.0, 100.0, 3000.0}) {
+    SCOPED_TRACE(size);
+    const Dense shares = dense(30, 12, size);
+    const Eigen::VectorXd kept = dense(12, 1, 1);
+    Eigen::VectorXd values(42);
+    values << kept, shares * kept;
+    EXPECT_LT((balanced_values(sums(shares), values, {}) - values).norm(), 1e-12);
+    const Eigen::VectorXd rounding = dense(42, 1, 1e-6);
+    Dense both(42, 12);
+    both << Dense::Identity(12, 12), shares;
+    Eigen::VectorXd right = rounding;
+    const Eigen::VectorXd change = both.colPivHouseholderQr().solve(right);
+    const Eigen::VectorXd balanced = balanced_values(sums(shares), values + rounding, {});
+    EXPECT_LT((balanced.head(12) - kept - change).norm(), 1e-10);
+    EXPECT_LT((shares * balanced.head(12) - values.tail(30)).norm(), 1e-4);
+  }
+}
+
+TEST(BalancedValues, StayAsTheyWereIfCancelled) {
+  const std::atomic<bool> stop = true;
+  const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(3, 0, 1);
+  const auto dropped = sums(Dense::Ones(1, 2));
+  EXPECT_NE(balanced_values(dropped, values, {}), values);
+  EXPECT_EQ(balanced_values(dropped, values, {.cancel = &stop}), values);
 }
 
 }  // namespace

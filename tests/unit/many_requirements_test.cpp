@@ -89,6 +89,32 @@ TEST_F(ManyRequirements, FindTheSurfaceThatTheyAreOf) {
   EXPECT_LT(test::max_distance(found->points, control_.points), 1e-9);
 }
 
+// There coordinates are rounded to a trillionth, or a ten-billionth, of the box side, and so are
+// the requirements: what they say agrees to that, times shares in the hundreds.
+TEST_F(ManyRequirements, FarFromTheOriginAreMetToTheRoundingThere) {
+  for (const double away : {1e4, 1e6}) {
+    SCOPED_TRACE(away);
+    for (Point& p : control_.points) {
+      for (double& c : p) c += away;
+    }
+    given_ = solver_.limit_positions(control_.points).value();
+    const double allowed = floored_tolerance(
+        kRequirementTolerance, flat(std::span<const Point>(given_)), bounding_box(given_).side());
+    for (const Kind kind : {Kind::position, Kind::derivative, Kind::normal}) {
+      for (const Index quarters : {1U, 24U}) {
+        const auto found = solver_.solve_required(on_quarters(kind, quarters, 8), given_);
+        ASSERT_TRUE(found) << describe(found.error());
+        for (const RequirementOutcome& outcome : found->report.requirements) {
+          EXPECT_LT(outcome.error, allowed);
+        }
+      }
+    }
+    for (Point& p : control_.points) {
+      for (double& c : p) c -= away;
+    }
+  }
+}
+
 TEST_F(ManyRequirements, OneThatLiesElsewhereIsSeen) {
   for (const double apart : {1e-3, 1e-6, 1e-8}) {
     std::vector<Requirement> all = on_quarters(Kind::position, 1, 12);
