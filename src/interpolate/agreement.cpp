@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -19,9 +18,8 @@ namespace {
 constexpr double kReach = 3;
 
 // `amount`: in units of the box side.
-tl::unexpected<Error> contradiction(std::set<std::size_t> numbers, std::size_t last, double amount,
+tl::unexpected<Error> contradiction(const std::set<std::size_t>& numbers, double amount,
                                     std::span<const Requirement> requirements) {
-  numbers.insert(last);
   const std::vector<std::size_t> all(numbers.begin(), numbers.end());
   const std::string what =
       all.size() == 1
@@ -74,7 +72,7 @@ Result<void> Agreement::check_fixed() const {
     }
     if (equations_.factor[i] != 0 || is_chosen(row)) continue;
     if (missed > holds_ + kReach * equations_.free.row(i).norm()) {
-      return contradiction({}, requirement_of(row), missed, requirements_);
+      return contradiction({requirement_of(row)}, missed, requirements_);
     }
   }
   return {};
@@ -85,21 +83,35 @@ Result<void> Agreement::choose() {
   std::vector<int> needed;
   std::vector<int> chosen;
   for (int row = 0; row < scaled_.rows(); ++row) (is_chosen(row) ? chosen : needed).push_back(row);
-  std::optional<DependentRow> impossible;
-  const Suffices suffices = [&](const DependentRow& d) {
-    if (surely_contradicts(d)) impossible = d;
-    return impossible.has_value();
-  };
-  auto found = independent_rows(scaled_, needed, suffices, system_.context);
+  std::optional<DependentRow> other;
+  auto found = consistent_rows(needed, other);
   if (system_.context.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  if (impossible) return contradicts(*impossible);
+  if (other) return contradicts(*other);
   if (!found) return not_told_apart();
   found_ = std::move(*found);
-  if (!chosen.empty()) add_dispensable(scaled_, chosen, system_.context, found_);
+  if (chosen.empty()) return {};
+  add_dispensable(scaled_, chosen, system_.context, found_);
+  constexpr double kMatters = 1e-6;
   for (const DependentRow& d : found_.dependent) {
-    if (auto ok = check_dependent(d); !ok) return ok;
+    if (is_chosen(d.row) && is_missed(d)) opposed_.merge(partners(d, kMatters));
   }
   return {};
+}
+
+// Which of them are independent, if none contradicts others; if one does it is `other`.
+std::optional<IndependentRows> Agreement::consistent_rows(
+    const RowNumbers& rows, std::optional<DependentRow>& other) const {
+  const Suffices suffices = [&](const DependentRow& d) {
+    if (surely_contradicts(d)) other = d;
+    return other.has_value();
+  };
+  auto found = independent_rows(scaled_, rows, suffices, system_.context);
+  if (!found) return found;
+  const auto missed = std::find_if(found->dependent.begin(), found->dependent.end(),
+                                   [&](const DependentRow& d) { return is_missed(d); });
+  if (missed == found->dependent.end()) return found;
+  other = *missed;
+  return std::nullopt;
 }
 
 // By how much of the box side it is missed where those hold that it is a sum of.
@@ -129,12 +141,8 @@ bool Agreement::surely_contradicts(const DependentRow& d) const {
   return missed_by(d) > allowed_to(d) + holds_ * weight_of(d);
 }
 
-Result<void> Agreement::check_dependent(const DependentRow& d) {
-  if (equations_.factor[d.row] == 0 || missed_by(d) <= allowed_to(d)) return {};
-  if (!is_chosen(d.row)) return contradicts(d);
-  constexpr double kMatters = 1e-6;
-  opposed_.merge(partners(d, kMatters));
-  return {};
+bool Agreement::is_missed(const DependentRow& d) const {
+  return equations_.factor[d.row] != 0 && missed_by(d) > allowed_to(d);
 }
 
 std::set<std::size_t> Agreement::partners(const DependentRow& d, double least) const {
@@ -148,14 +156,52 @@ std::set<std::size_t> Agreement::partners(const DependentRow& d, double least) c
 // By as few others as say something else.
 DependentRow Agreement::shortest(const DependentRow& d) const {
   const Suffices contradicts = [&](const DependentRow& e) {
-    return e.distance <= kDependent && missed_by(e) > allowed_to(e);
+    return e.distance <= kDependent && is_missed(e);
   };
   return by_fewest_rows(scaled_, d, contradicts, system_.context);
 }
 
+std::set<std::size_t> Agreement::taking_part(const DependentRow& d) const {
+  std::set<std::size_t> all = partners(d, 0);
+  all.insert(requirement_of(d.row));
+  return all;
+}
+
+// Where one can be left out because the others contradict each other by other equations of theirs,
+// it is.
+DependentRow Agreement::by_fewest_requirements(DependentRow d) const {
+  constexpr std::size_t kMostTries = 100;  // each is a decomposition
+  std::set<std::size_t> needed;
+  for (bool fewer = true; fewer;) {
+    fewer = false;
+    for (const std::size_t number : taking_part(d)) {
+      if (needed.contains(number) || needed.size() == kMostTries) continue;
+      std::set<std::size_t> rest = taking_part(d);
+      rest.erase(number);
+      std::optional<DependentRow> other;
+      (void)consistent_rows(rows_of(rest), other);
+      if (other) {
+        d = shortest(*other);
+        fewer = true;
+        break;
+      }
+      needed.insert(number);
+    }
+  }
+  return d;
+}
+
+RowNumbers Agreement::rows_of(const std::set<std::size_t>& numbers) const {
+  RowNumbers rows;
+  for (int row = 0; row < scaled_.rows(); ++row) {
+    if (!is_chosen(row) && numbers.contains(requirement_of(row))) rows.push_back(row);
+  }
+  return rows;
+}
+
 tl::unexpected<Error> Agreement::contradicts(const DependentRow& d) const {
-  const DependentRow few = shortest(d);
-  return contradiction(partners(few, 0), requirement_of(few.row), missed_by(few), requirements_);
+  const DependentRow few = by_fewest_requirements(shortest(d));
+  return contradiction(taking_part(few), missed_by(few), requirements_);
 }
 
 FreeEquations::Rows Agreement::picked_rows() const {

@@ -2,6 +2,7 @@
 // all.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -59,9 +60,14 @@ class Agreement {
   [[nodiscard]] double weight_of(const DependentRow& d) const;
   [[nodiscard]] double allowed_to(const DependentRow& d) const;
   [[nodiscard]] bool surely_contradicts(const DependentRow& d) const;
-  [[nodiscard]] Result<void> check_dependent(const DependentRow& d);
+  [[nodiscard]] bool is_missed(const DependentRow& d) const;
+  [[nodiscard]] std::optional<IndependentRows> consistent_rows(
+      const RowNumbers& rows, std::optional<DependentRow>& other) const;
   [[nodiscard]] std::set<std::size_t> partners(const DependentRow& d, double least) const;
+  [[nodiscard]] std::set<std::size_t> taking_part(const DependentRow& d) const;
   [[nodiscard]] DependentRow shortest(const DependentRow& d) const;
+  [[nodiscard]] DependentRow by_fewest_requirements(DependentRow d) const;
+  [[nodiscard]] RowNumbers rows_of(const std::set<std::size_t>& numbers) const;
   [[nodiscard]] tl::unexpected<Error> contradicts(const DependentRow& d) const;
 
   const FreeEquations& equations_;

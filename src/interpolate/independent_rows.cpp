@@ -24,8 +24,7 @@ bool by_row(const DependentRow& a, const DependentRow& b) { return a.row < b.row
 
 // Of the rows in the sum, the last behind the dependent one that can change places with it.
 std::optional<std::size_t> last_behind(const DependentRow& d) {
-  constexpr double kSound =
-      0.99;  // as a divisor: many changes of less would leave the others nearly dependent
+  constexpr double kSound = 0.5;  // as a divisor
   std::optional<std::size_t> last;
   for (std::size_t k = 0; k < d.shares.size(); ++k) {
     if (d.shares[k].first < d.row || std::abs(d.shares[k].second) < kSound) continue;
@@ -131,10 +130,10 @@ bool keep_near(const Rows& rows, const Suffices& suffices, const Context& contex
 // Whether none of those that are kept depends on others after all: of shares so large that what
 // kShift makes of them is not suspect, the first decomposition knows nothing.
 bool stay_independent(const Rows& rows, const std::vector<int>& kept, const Context& context) {
-  constexpr double kLeast = 1e-11;  // a squared distance
+  if (kept.empty()) return true;
+  const Symmetric products = products_of(picked(rows, kept));
   SparseCholesky factor;
-  return kept.empty() || (factor.compute(products_of(picked(rows, kept)), 0, context) &&
-                          factor.pivots().minCoeff() > kLeast);
+  return factor.compute(products, 0, context) && factor.is_accurate(products);
 }
 
 // Those among `which`, ascending.
@@ -144,6 +143,8 @@ std::optional<IndependentRows> independent_among(const Rows& rows, const std::ve
   SparseCholesky factor;
   if (!factor.compute(products_of(some), kShift, context)) return std::nullopt;
   const Eigen::VectorXd pivots = factor.pivots();
+  constexpr double kFar = 1e-4;  // then kShift makes about 1e-10 of a dependent row at most
+  const bool far = which.empty() || pivots.minCoeff() > kFar;
   bool stopped = false;
   const Suffices heard = [&](const DependentRow& d) { return stopped = suffices(d); };
   std::optional<std::size_t> looked_at;
@@ -157,7 +158,7 @@ std::optional<IndependentRows> independent_among(const Rows& rows, const std::ve
     if (looked_at == suspects.size()) continue;
     looked_at = suspects.size();
     if (express_all(rows, suspects, heard, context, found) &&
-        (suspects.empty() || stay_independent(rows, found.independent, context))) {
+        (far || stay_independent(rows, found.independent, context))) {
       if (!keep_near(rows, heard, context, found)) break;
       return found;
     }

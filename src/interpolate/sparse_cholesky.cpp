@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <Eigen/Dense>
 
@@ -186,6 +187,16 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right) const {
   Dense solution(x.rows(), x.cols());
   for (Eigen::Index i = 0; i < x.rows(); ++i) solution.row(i) = x.row(nodes_.place[to_size(i)]);
   return solution;
+}
+
+bool SparseCholesky::is_accurate(const Symmetric& matrix) const {
+  constexpr double kDigits = 1e-8;
+  // Anything that no eigenvector is orthogonal to.
+  const auto scattered = [](Eigen::Index i) {
+    return static_cast<double>(static_cast<std::uint32_t>(i) * 2654435761U) / 4294967296.0 - 0.5;
+  };
+  const Eigen::VectorXd right = Eigen::VectorXd::NullaryExpr(matrix.rows(), scattered);
+  return (right - matrix * solve(right)).norm() <= kDigits * right.norm();
 }
 
 }  // namespace surpass

@@ -27,6 +27,11 @@ class SparseCholesky {
   /// Of one or more right-hand sides, #rows by any.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
+  /// Whether solutions have eight digits, the matrix being the one that was decomposed. Its pivots
+  /// do not tell: where one row is a sum of others by shares of thousands, rounding makes a pivot
+  /// of their squares. The cost is that of a solution.
+  [[nodiscard]] bool is_accurate(const Symmetric& matrix) const;
+
  private:
   Supernodes nodes_;
   std::vector<std::size_t> start_;  // where the columns of each supernode start

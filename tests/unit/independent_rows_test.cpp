@@ -70,25 +70,6 @@ TEST(IndependentRows, AreAsManyAsTheRank) {
   }
 }
 
-// Of a repeated row the first is kept, but not at the cost of what tells the others apart.
-TEST(IndependentRows, StayFarFromDependent) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    std::normal_distribution<double> number;
-    Dense rows = Dense::NullaryExpr(300, 60, [&] { return number(random); });
-    rows.rowwise().normalize();
-    const auto found = independent(rows);
-    ASSERT_TRUE(found);
-    ASSERT_EQ(found->independent.size(), 60U);
-    Dense kept(60, 60);
-    for (Eigen::Index i = 0; i < 60; ++i) {
-      kept.row(i) = rows.row(found->independent[static_cast<std::size_t>(i)]);
-    }
-    EXPECT_GT(Eigen::JacobiSVD<Dense>(kept).singularValues()[59], 1e-3);
-  }
-}
-
 // What the highest powers add is less than kDependent where the part is short enough.
 TEST(IndependentRows, KeepWhatIsNotDependentAndNoMore) {
   std::mt19937 random(5);

@@ -2,7 +2,9 @@
 #include <surpass/similarity.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 #include <regex>
 #include <string>
 #include <vector>
@@ -155,6 +157,39 @@ TEST_F(ManyRequirements, ThoseThatContradictAreNamed) {
     std::vector<Requirement> others = named;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_TRUE(solver_.solve_required(others, given_)) << numbers[i];
+  }
+}
+
+// What a normal leaves to a place others may take, so that rows are fewer than requirements say;
+// and 14 values of every coordinate follow from each other by shares of thousands.
+TEST_F(ManyRequirements, OfMixedKindsAllThatContradictAreNamedAndNoMore) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> number;
+  std::uniform_real_distribution<double> at(0.05, 0.95);
+  const auto contradict = [&](const std::vector<Requirement>& all) {
+    const auto result = solver_.solve_required(all, given_);
+    return !result && result.error().message.find("contradict") != std::string::npos;
+  };
+  const std::array kinds = {Kind::position, Kind::normal, Kind::derivative};
+  for (int trial = 0; trial < 12; ++trial) {
+    SCOPED_TRACE(trial);
+    std::vector<Requirement> all;
+    for (std::size_t i = 0; i < 30; ++i) {
+      const SurfacePlace place{0, at(random), at(random), 0};
+      const Point value = {number(random), number(random), number(random)};
+      all.push_back(test::on_face(kinds[i % 3], place, value, {number(random), number(random)}));
+    }
+    const auto refused = solver_.solve_required(all, given_);
+    ASSERT_FALSE(refused);
+    std::vector<Requirement> named;
+    for (const std::size_t i : numbers_named(refused.error().message)) named.push_back(all.at(i));
+    EXPECT_LT(named.size(), 25U) << refused.error().message;
+    EXPECT_TRUE(contradict(named)) << refused.error().message;
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      std::vector<Requirement> others = named;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      EXPECT_FALSE(contradict(others)) << i << " of " << refused.error().message;
+    }
   }
 }
 

@@ -129,6 +129,33 @@ TEST(SparseCholesky, SaysWhereItCannotGoOn) {
   EXPECT_FALSE(SparseCholesky().compute(sparse(Dense{{HUGE_VAL}}), 0, {}));
 }
 
+// Three rows in a plane, the third by shares of 1e4 and more: no pivot tells, a solution does.
+TEST(SparseCholesky, KnowsWhereSolutionsHaveNoDigits) {
+  std::mt19937 random(9);
+  int pivots_that_tell_nothing = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Dense rows = random_right(3, 5, random).rowwise().normalized();
+    rows.row(1) = (rows.row(0) + 1e-5 * rows.row(1)).normalized();
+    const Dense apart = random_right(1, 5, random).normalized();
+    for (const double distance : {0.0, 0.1}) {
+      rows.row(2) = (1e5 * (rows.row(1) - rows.row(0)) + distance * apart).normalized();
+      const Symmetric products = sparse(rows * rows.transpose());
+      SparseCholesky factor;
+      if (!factor.compute(products, 0, {})) continue;
+      const bool tells = factor.pivots().minCoeff() < 1e-11;
+      if (distance == 0 && !tells) ++pivots_that_tell_nothing;
+      if (distance == 0) {
+        EXPECT_FALSE(factor.is_accurate(products));
+      }
+    }
+  }
+  EXPECT_GT(pivots_that_tell_nothing, 0);
+  const Symmetric matrix = grid(12, random);
+  SparseCholesky factor;
+  ASSERT_TRUE(factor.compute(matrix, 0, {}));
+  EXPECT_TRUE(factor.is_accurate(matrix));
+}
+
 TEST(SparseCholesky, StopsHalfwayWhereItIsCancelled) {
   std::mt19937 random(6);
   std::atomic<bool> cancel = false;
