@@ -29,9 +29,6 @@ RowMatrix stacked(const RowMatrix& above, const RowMatrix& below) {
   return all;
 }
 
-// Of the length of a row. For the sake of a nearer one a surface would go farther than it asks by
-// the inverse.
-constexpr double kFar = 0.03;
 constexpr double kLargestShare = 1e6;  // few digits are needed to know what is far
 
 RowNumbers from_to(int begin, int end) {
@@ -49,7 +46,8 @@ RowNumbers in_doubt(const RowMatrix& rows, int first, const Context& context) {
   const Eigen::VectorXd pivots = factor.pivots();
   RowNumbers near;
   RowNumbers others;
-  for (int i = 0; i < count; ++i) (pivots[i] < kFar * kFar ? near : others).push_back(i);
+  for (int i = 0; i < count; ++i)
+    (pivots[i] < kFarFromOthers * kFarFromOthers ? near : others).push_back(i);
   std::set<int> doubtful;
   const RowBasis basis(rows, others, context);
   for (const int row : near) {
@@ -83,10 +81,10 @@ RowNumbers far_rows(const RowMatrix& rows, int first, const Context& context) {
   std::vector<DependentRow> far;
   for (const int row : doubtful) {
     auto expressed = context.cancelled() ? std::nullopt : basis.express(row, kLargestShare);
-    if (expressed && expressed->distance > kFar) far.push_back(std::move(*expressed));
+    if (expressed && expressed->distance > kFarFromOthers) far.push_back(std::move(*expressed));
   }
   for (const DependentRow& d : near_rows(rows, far, context).kept) {
-    if (d.distance > kFar) kept.push_back(d.row);
+    if (d.distance > kFarFromOthers) kept.push_back(d.row);
   }
   std::sort(kept.begin(), kept.end());
   return kept;

@@ -140,11 +140,12 @@ bool stay_independent(const Rows& rows, const std::vector<int>& kept, const Cont
 std::optional<IndependentRows> independent_among(const Rows& rows, const std::vector<int>& which,
                                                  const Suffices& suffices, const Context& context) {
   const Rows some = picked(rows, which);
+  const Symmetric products = products_of(some);
   SparseCholesky factor;
-  if (!factor.compute(products_of(some), kShift, context)) return std::nullopt;
+  if (!factor.compute(products, kShift, context)) return std::nullopt;
   const Eigen::VectorXd pivots = factor.pivots();
-  constexpr double kFar = 1e-4;  // then kShift makes about 1e-10 of a dependent row at most
-  const bool far = which.empty() || pivots.minCoeff() > kFar;
+  // Where they are all independent it is seen here already.
+  const bool far = which.empty() || factor.is_accurate(products);
   bool stopped = false;
   const Suffices heard = [&](const DependentRow& d) { return stopped = suffices(d); };
   std::optional<std::size_t> looked_at;

@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 
 #include "interpolate/agreement.hpp"
+#include "interpolate/dispensable_rows.hpp"
 #include "interpolate/sparse_cholesky.hpp"
 
 namespace surpass {
@@ -67,11 +68,10 @@ struct LinearConstraints::Contents {
     decomposed = products.compute(product, 0, context);
   }
 
-  // Whether each equation has, by what measures changes here, a thousandth or more of its length of
+  // Whether each equation has, by what measures changes here, more than that share of its length of
   // its own, that is, apart from those that were decomposed before it.
-  [[nodiscard]] bool far_from_dependent() const {
-    constexpr double kFar = 1e-6;  // a squared share
-    return decomposed && (products.pivots().array() > kFar * squares.array()).all();
+  [[nodiscard]] bool far_from_dependent(double share) const {
+    return decomposed && (products.pivots().array() > share * share * squares.array()).all();
   }
 
   [[nodiscard]] Vector multipliers(const Vector& right) const {
@@ -112,16 +112,16 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
                                       system.elimination.control_count());
   auto contents = std::make_unique<Contents>();
   // Nearly always all are independent, and then the decomposition that is needed anyway tells so.
-  // Rows that we chose are held to more than that.
   const bool any_chosen = std::any_of(rows.rows.begin(), rows.rows.end(),
                                       [](const RequirementRow& row) { return row.chosen; });
-  const bool may_be = !any_chosen && equations.free.rows() <= equations.free.cols();
+  const double far = any_chosen ? kFarFromOthers : 1e-3;
+  const bool may_be = equations.free.rows() <= equations.free.cols();
   if (may_be) {
     agreement.take_all();
     contents->solve_for(agreement, equations, inverse, context);
   }
   if (context.cancelled()) return cancelled();
-  if (!may_be || !contents->far_from_dependent()) {
+  if (!may_be || !contents->far_from_dependent(far)) {
     if (auto ok = agreement.choose(); !ok) return tl::make_unexpected(ok.error());
     contents->solve_for(agreement, equations, inverse, context);
   }
