@@ -6,7 +6,7 @@
 
 #include <Eigen/SparseCore>
 
-#include "interpolate/agreement.hpp"
+#include "interpolate/contradiction.hpp"
 #include "interpolate/dispensable_rows.hpp"
 #include "interpolate/sparse_cholesky.hpp"
 
@@ -48,9 +48,7 @@ struct LinearConstraints::Contents {
   SparseCholesky products;
   bool decomposed = false;
   Vector squares;  // the diagonal of the products
-  std::vector<unsigned char> redundant;
-  std::vector<unsigned char> with_lengths;
-  std::set<std::size_t> opposed;
+  RowFates fates;
 
   // Of all that were asked those that the agreement picks. Incomplete if cancelled.
   void solve_for(const Agreement& agreement, const FreeEquations& equations, const Rows& inverse,
@@ -87,15 +85,7 @@ LinearConstraints::LinearConstraints(LinearConstraints&&) noexcept = default;
 LinearConstraints& LinearConstraints::operator=(LinearConstraints&&) noexcept = default;
 LinearConstraints::~LinearConstraints() = default;
 
-const std::vector<unsigned char>& LinearConstraints::redundant() const {
-  return contents_->redundant;
-}
-
-const std::vector<unsigned char>& LinearConstraints::with_lengths() const {
-  return contents_->with_lengths;
-}
-
-const std::set<std::size_t>& LinearConstraints::opposed() const { return contents_->opposed; }
+const RowFates& LinearConstraints::fates() const { return contents_->fates; }
 
 Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
                                                    std::span<const Requirement> requirements,
@@ -127,9 +117,7 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
   }
   if (context.cancelled()) return cancelled();
   if (!contents->decomposed) return not_told_apart();
-  contents->redundant = agreement.redundant();
-  contents->with_lengths = agreement.with_lengths();
-  contents->opposed = agreement.opposed();
+  contents->fates = agreement.fates();
   contents->elimination = &system.elimination;
   return LinearConstraints(std::move(contents));
 }

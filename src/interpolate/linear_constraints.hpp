@@ -3,11 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <set>
 #include <span>
 #include <vector>
 
-#include "interpolate/free_equations.hpp"
+#include "interpolate/agreement.hpp"
 #include "interpolate/free_preconditioner.hpp"
 
 namespace surpass {
@@ -46,14 +45,8 @@ class LinearConstraints {
   /// given vertices stay. x is in the units of the solve.
   void meet(const Context& context, std::span<double> x) const;
 
-  /// #requirements: 1 where all its equations were dropped.
-  [[nodiscard]] const std::vector<unsigned char>& redundant() const;
-
-  /// #requirements: 1 where a chosen equation of its own is kept (RequirementRow::chosen).
-  [[nodiscard]] const std::vector<unsigned char>& with_lengths() const;
-
-  /// Requirements whose equations left no room to chosen ones (RequirementRow::chosen).
-  [[nodiscard]] const std::set<std::size_t>& opposed() const;
+  /// Which of the equations were taken.
+  [[nodiscard]] const RowFates& fates() const;
 
  private:
   explicit LinearConstraints(std::unique_ptr<Contents> contents);

@@ -17,14 +17,14 @@ namespace surpass {
 namespace {
 
 // Redundant are also those that repeat an earlier one at their vertex.
-void mark(const RequirementRows& equations, const Found& found,
+void mark(const RequirementRows& equations, const RowFates& fates,
           std::span<RequirementOutcome> outcomes) {
   const auto is_in = [](const std::vector<unsigned char>& list, std::size_t i) {
     return i < list.size() && list[i] != 0;
   };
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    outcomes[i].redundant = is_in(found.redundant, i) || equations.repeated[i] != 0;
-    outcomes[i].length_chosen = is_in(found.with_lengths, i);
+    outcomes[i].redundant = is_in(fates.redundant, i) || equations.repeated[i] != 0;
+    outcomes[i].length_chosen = is_in(fates.with_lengths, i);
   }
 }
 
@@ -107,7 +107,7 @@ Result<SimilaritySolution> solve_required_task(const RequiredTask& task, Require
   solution.points = control.points;
   solution.report = similarity_report(prepared, *found, limits, targets, extent, context);
   if (auto ok = check_planes(task.requirements, equations, control.points,
-                             points_of(found->reference), side, found->opposed);
+                             points_of(found->reference), side, found->fates.opposed);
       !ok) {
     return tl::make_unexpected(ok.error());
   }
@@ -115,7 +115,7 @@ Result<SimilaritySolution> solve_required_task(const RequiredTask& task, Require
                                        task.requirements, side, context);
   if (!outcomes) return tl::make_unexpected(outcomes.error());
   solution.report.requirements = std::move(*outcomes);
-  mark(equations, *found, solution.report.requirements);
+  mark(equations, found->fates, solution.report.requirements);
   note_lengths(task.requirements, solution.report);
   judge_outcomes(task.requirements, targets, side, solution.report);
   solution.targets = std::move(targets);

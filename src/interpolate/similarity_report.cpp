@@ -72,7 +72,7 @@ void fill_report(const SimilarityPrepared& prepared, Found& found, std::span<con
 void judge_residual(const SimilarityPrepared& prepared, const Found& found,
                     SimilarityReport& report) {
   const FreeOutcome& outcome = found.outcome;
-  const bool moved = !found.redundant.empty();  // by requirements
+  const bool moved = !found.fates.redundant.empty();  // by requirements
   const SimilarityOptions& options = prepared.options;
   report.residual = !report.residuals.empty() ? report.residuals.back() : outcome.at_rest ? 0 : 1;
   report.solver_converged = report.residual <= options.solver_tolerance;

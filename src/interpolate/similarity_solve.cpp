@@ -221,9 +221,7 @@ Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,
   if (*constraints) {
     system.constraints = &**constraints;
     system.constraints->meet(context, found.values);
-    found.redundant = system.constraints->redundant();
-    found.with_lengths = system.constraints->with_lengths();
-    found.opposed = system.constraints->opposed();
+    found.fates = system.constraints->fates();
   }
   if (options.max_iterations > 0) {
     found.outcome = minimise(prepared, system, found.reference, given, found.values);

@@ -2,11 +2,10 @@
 // interpolation, for points or for a channel.
 #pragma once
 
-#include <set>
 #include <span>
 #include <vector>
 
-#include "interpolate/requirement_rows.hpp"
+#include "interpolate/agreement.hpp"
 #include "interpolate/similarity_prepared.hpp"
 
 namespace surpass {
@@ -27,9 +26,7 @@ struct Found {
   std::vector<double> reference;
   std::vector<double> scale;
   FreeOutcome outcome;
-  std::vector<unsigned char> redundant;     // #requirements, as LinearConstraints says
-  std::vector<unsigned char> with_lengths;  // #requirements
-  std::set<std::size_t> opposed;
+  RowFates fates;  // of the requirements' equations, if there are any
 };
 
 [[nodiscard]] Result<Found> find(const SimilarityPrepared& prepared, const Wanted& wanted,

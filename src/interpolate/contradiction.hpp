@@ -1,0 +1,26 @@
+// Which requirements contradict each other, in a sentence.
+#pragma once
+
+#include <set>
+
+#include "interpolate/row_check.hpp"
+
+namespace surpass {
+
+/// `contradictory`, naming them. `amount`: together they miss, in box sides.
+[[nodiscard]] tl::unexpected<Error> contradiction(const std::set<std::size_t>& numbers,
+                                                  double amount,
+                                                  std::span<const Requirement> requirements);
+
+/// The same, of a row that is a sum of others and says something else: with as few requirements as
+/// contradict each other. Without any one of them the others do not - of more than a hundred it is
+/// not asked of all. Cost: that of by_fewest_rows(), and a decomposition of their rows for each.
+[[nodiscard]] tl::unexpected<Error> contradiction_of(const DependentRow& d, const RowCheck& check,
+                                                     const RowMatrix& scaled,
+                                                     std::span<const Requirement> requirements,
+                                                     const Context& context);
+
+/// `contradictory`, for equations that only rounding tells apart.
+[[nodiscard]] tl::unexpected<Error> not_told_apart();
+
+}  // namespace surpass
