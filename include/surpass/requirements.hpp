@@ -74,10 +74,10 @@ struct RequirementOutcome {
   bool redundant = false;  ///< it follows from the others, or from the given vertices
   /// What is left of its equations on the final surface, relative to the side of the given points'
   /// box, with those that requirements move at their new places: the distance of positions, the
-  /// difference of derivatives, the part of du and dv along the normal (by the parameters of
-  /// the mesh refined once), the part of the derivative across the direction; derivatives along
-  /// `along` at length 1. Where the surface has the
-  /// opposite normal or direction, its tangents' distance from the nearest that have not.
+  /// difference of derivatives, the part of du and dv along the normal (by the parameters of the
+  /// mesh refined once), the part of the derivative across the direction; derivatives along `along`
+  /// at length 1. Where the surface has the opposite normal or direction, its tangents' distance
+  /// from the nearest that have not.
   double error = 0;
   /// The angle to the normal or direction in radians, 0 to pi; 0 for other kinds.
   double angle = 0;
