@@ -243,7 +243,8 @@ class Check : public Command {
     if (!(findings.vertices <= tolerance)) add("the given vertices", findings.vertices);
     if (!all_met(findings.outcomes, tolerance)) {
       const std::size_t i = worst_of(findings.outcomes);
-      add(fmt::format("requirement {} ({})", i, describe(findings.requirements[i])),
+      add(fmt::format("requirement {} ({}{})", i, describe(findings.requirements[i]),
+                      findings.outcomes[i].flipped ? ", the other way round" : ""),
           findings.outcomes[i].error);
     }
     return missed;

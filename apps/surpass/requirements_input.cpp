@@ -1,6 +1,7 @@
 #include "requirements_input.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -181,9 +182,13 @@ std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes) {
 std::string why_missed(const std::vector<Requirement>& requirements,
                        const std::vector<RequirementOutcome>& outcomes, double tolerance) {
   if (all_met(outcomes, tolerance)) return "";
-  const std::size_t i = worst_of(outcomes);
+  const auto flipped =
+      std::find_if(outcomes.begin(), outcomes.end(), std::mem_fn(&RequirementOutcome::flipped));
+  const bool turned = flipped != outcomes.end();
+  const std::size_t i =
+      turned ? static_cast<std::size_t>(flipped - outcomes.begin()) : worst_of(outcomes);
   const std::string what = fmt::format("requirement {} ({})", i, describe(requirements[i]));
-  if (outcomes[i].flipped) {
+  if (turned) {
     return what +
            " points the other way, and no surface was found where it does not; leave out "
            "some of those nearby";

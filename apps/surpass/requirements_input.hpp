@@ -46,8 +46,8 @@ class RequirementsInput {
 /// The requirement that is missed by most, of at least one.
 [[nodiscard]] std::size_t worst_of(const std::vector<RequirementOutcome>& outcomes);
 
-/// What became of that one where a surface was looked for, and what helps. Empty if none is missed
-/// by more than the tolerance.
+/// What became of that one, or of the first that points the other way, where a surface was looked
+/// for, and what helps. Empty if none is missed by more than the tolerance.
 [[nodiscard]] std::string why_missed(const std::vector<Requirement>& requirements,
                                      const std::vector<RequirementOutcome>& outcomes,
                                      double tolerance);

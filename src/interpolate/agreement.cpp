@@ -44,8 +44,13 @@ Result<void> Agreement::choose() {
   }
   std::optional<DependentRow> other;
   auto found = check_.consistent_rows(scaled, needed, other);
-  if (context_.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
-  if (other) return contradiction_of(*other, check_, scaled, requirements_, context_);
+  const auto cancelled = fail(ErrorCode::cancelled, "cancelled while setting up");
+  if (context_.cancelled()) return cancelled;
+  if (other) {
+    auto error = contradiction_of(*other, check_, scaled, requirements_, context_);
+    if (context_.cancelled()) return cancelled;
+    return error;
+  }
   if (!found) return not_told_apart();
   found_ = std::move(*found);
   if (!chosen.empty()) add_dispensable(scaled, chosen, context_, found_);

@@ -31,35 +31,39 @@ class Contradiction {
     return by_fewest_rows(scaled_, d, contradicts, context_);
   }
 
-  // Where a requirement can be left out because the others contradict each other by other rows of
-  // theirs, it is.
+  // Where requirements can be left out because the others contradict each other by other rows of
+  // theirs, they are: halves first, single ones last.
   [[nodiscard]] DependentRow by_fewest_requirements(DependentRow d) const {
-    constexpr std::size_t kMostTries = 100;
-    Numbers needed;
-    for (bool fewer = true; fewer;) {
-      fewer = false;
-      for (const std::size_t number : taking_part(d)) {
-        if (needed.contains(number) || needed.size() == kMostTries) continue;
-        if (const auto other = without(number, d)) {
-          d = shortest(*other);
-          fewer = true;
-          break;
+    constexpr std::size_t kMostRows = 5000;  // of all tries
+    std::size_t rows = 0;
+    Numbers numbers = taking_part(d);
+    for (std::size_t part = (numbers.size() + 1) / 2; part > 0; part /= 2) {
+      for (std::size_t begin = 0; begin < numbers.size() && rows < kMostRows;) {
+        const RowNumbers others = rows_of(without(numbers, begin, part));
+        rows += others.size();
+        std::optional<DependentRow> other;
+        (void)check_.consistent_rows(scaled_, others, other);
+        if (other) {
+          d = *other;
+          numbers = taking_part(d);
+        } else {
+          begin += part;
         }
-        needed.insert(number);
       }
     }
-    return d;
+    return shortest(d);
   }
 
  private:
-  // A row that contradicts others of those that take part, but for one requirement's.
-  [[nodiscard]] std::optional<DependentRow> without(std::size_t number,
-                                                    const DependentRow& d) const {
-    Numbers rest = taking_part(d);
-    rest.erase(number);
-    std::optional<DependentRow> other;
-    (void)check_.consistent_rows(scaled_, rows_of(rest), other);
-    return other;
+  [[nodiscard]] static Numbers without(const Numbers& numbers, std::size_t begin,
+                                       std::size_t count) {
+    Numbers rest;
+    std::size_t at = 0;
+    for (const std::size_t number : numbers) {
+      if (at < begin || at >= begin + count) rest.insert(number);
+      ++at;
+    }
+    return rest;
   }
 
   [[nodiscard]] RowNumbers rows_of(const Numbers& numbers) const {

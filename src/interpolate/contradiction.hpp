@@ -13,8 +13,9 @@ namespace surpass {
                                                   std::span<const Requirement> requirements);
 
 /// The same, of a row that is a sum of others and says something else: with as few requirements as
-/// contradict each other. Without any one of them the others do not - of more than a hundred it is
-/// not asked of all. Cost: that of by_fewest_rows(), and a decomposition of their rows for each.
+/// contradict each other. Without any one of them the others are not found to; where hundreds take
+/// part there may be more than that. Cost: that of by_fewest_rows(), twice, and decompositions of
+/// no more than 5,000 rows in all. Of no use once the context was cancelled.
 [[nodiscard]] tl::unexpected<Error> contradiction_of(const DependentRow& d, const RowCheck& check,
                                                      const RowMatrix& scaled,
                                                      std::span<const Requirement> requirements,

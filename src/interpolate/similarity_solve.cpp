@@ -14,6 +14,7 @@ namespace {
 struct Units {
   std::vector<double> centre;  // a number per column
   double side = 1;             // of the values' box
+  double rounding = 0;         // of the values, relative to it
   double scale = 1;            // a power of two
 
   void enter(const Context& context, std::span<double> x) const {
@@ -61,6 +62,9 @@ Result<Units> units_of(const SimilarityPrepared& prepared, std::span<const doubl
                 "the coordinates are so large that their differences overflow");
   }
   if (side > 0) units.side = side;
+  for (const auto& ends : {low, high}) {
+    units.rounding = floored_tolerance(units.rounding, ends, units.side);
+  }
   units.scale = power_of_two_scale(units.side);
   return units;
 }
@@ -184,10 +188,8 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
                                                         std::span<const double> given,
                                                         const Units& units) {
   if (wanted.equations == nullptr || wanted.equations->rows.empty()) return std::nullopt;
-  const ConstraintUnits own{{units.centre[0], units.centre[1], units.centre[2]},
-                            units.scale,
-                            units.side,
-                            floored_tolerance(0, wanted.given, units.side)};
+  const ConstraintUnits own{
+      {units.centre[0], units.centre[1], units.centre[2]}, units.scale, units.side, units.rounding};
   auto built = LinearConstraints::build(*wanted.equations, wanted.requirements, system, given, own);
   if (!built) return tl::make_unexpected(built.error());
   return std::move(*built);

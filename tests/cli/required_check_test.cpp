@@ -160,6 +160,7 @@ TEST_F(RequiredCheck, OppositeSignsAreMissed) {
   EXPECT_EQ(report["requirements"][0]["flipped"], true);
   EXPECT_GT(report["requirements"][0]["error"], 1e-3);
   EXPECT_TRUE(says("1 of 1 requirement points the other way")) << outcome_.err;
+  EXPECT_TRUE(says(", the other way round)")) << outcome_.err;
 }
 
 TEST_F(RequiredCheck, NormalsOfTheGivenFile) {

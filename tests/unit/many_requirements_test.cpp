@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <random>
 #include <regex>
@@ -157,6 +158,28 @@ TEST_F(ManyRequirements, ThoseThatContradictAreNamed) {
     std::vector<Requirement> others = named;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_TRUE(solver_.solve_required(others, given_)) << numbers[i];
+  }
+}
+
+// Whatever was about to be named.
+TEST_F(ManyRequirements, InterruptedAtAnyTimeTheyAreNotRefused) {
+  std::vector<Requirement> all = on_quarters(Kind::position, 1, 8);
+  all[33].value[1] += 1e-3;
+  int reports = 0;
+  Context context{.threads = 1, .progress = [&](const Progress&) { ++reports; }};
+  EXPECT_EQ(solver_.solve_required(all, given_, {}, {}, context).error().code,
+            ErrorCode::contradictory);
+  const int whole = reports;
+  ASSERT_GT(whole, 10);
+  std::atomic<bool> stop = false;
+  context.cancel = &stop;
+  for (int last = 1; last < whole; ++last) {
+    reports = 0;
+    stop = false;
+    context.progress = [&](const Progress&) { stop = ++reports >= last; };
+    EXPECT_EQ(solver_.solve_required(all, given_, {}, {}, context).error().code,
+              ErrorCode::cancelled)
+        << last << " of " << whole;
   }
 }
 
