@@ -48,17 +48,18 @@ void judge_outcomes(std::span<const Requirement> requirements, std::span<const P
 Result<Found> find_with_tangents(const RequiredTask& task, RequirementRows& equations,
                                  const Context& context) {
   constexpr int kMostRounds = 8;  // two are usual
-  const Wanted wanted{flat(std::span<const Point>(equations.targets)),
-                      flat(task.reference),
-                      3,
-                      true,
-                      task.released,
-                      &equations,
-                      task.requirements};
+  Wanted wanted{flat(std::span<const Point>(equations.targets)), flat(task.reference), 3, true,
+                task.released};
+  if (!equations.rows.empty()) {
+    wanted.constraints = [&](const FreeSystem& system, std::span<const double> given,
+                             const ConstraintUnits& units) {
+      return LinearConstraints::build(equations, task.requirements, system, given, units);
+    };
+  }
   auto found = find(task.prepared, wanted, context);
   for (int round = 1; found && round < kMostRounds; ++round) {
     const std::size_t before = equations.rows.size();
-    if (!add_tangent_lengths(wanted.requirements, points_of(found->values),
+    if (!add_tangent_lengths(task.requirements, points_of(found->values),
                              points_of(found->reference), equations)) {
       break;
     }

@@ -188,10 +188,26 @@ Result<std::vector<Point>> SimilarityInterpolator::limit_positions(std::span<con
   return limits_of(*impl_, control, context);
 }
 
+namespace {
+
+SimilarityInterpolated with_mesh(const SimilarityInterpolator& solver,
+                                 SimilaritySolution solution) {
+  SimilarityInterpolated result{solver.refined(), std::move(solution.report)};
+  result.control.points = std::move(solution.points);
+  result.control.channels = std::move(solution.channels);
+  return result;
+}
+
+}  // namespace
+
 Result<SimilarityInterpolated> interpolate_similar(const Mesh& mesh,
                                                    const SimilarityOptions& options,
                                                    const Context& context) {
-  return interpolate_required(mesh, {}, options, context);
+  const auto solver = SimilarityInterpolator::create(mesh, options, context);
+  if (!solver) return tl::make_unexpected(solver.error());
+  auto solution = solver->solve(mesh.points, mesh.channels, context);
+  if (!solution) return tl::make_unexpected(solution.error());
+  return with_mesh(*solver, std::move(*solution));
 }
 
 Result<SimilarityInterpolated> interpolate_required(const Mesh& mesh,
@@ -202,10 +218,7 @@ Result<SimilarityInterpolated> interpolate_required(const Mesh& mesh,
   if (!solver) return tl::make_unexpected(solver.error());
   auto solution = solver->solve_required(requirements, mesh.points, {}, mesh.channels, context);
   if (!solution) return tl::make_unexpected(solution.error());
-  SimilarityInterpolated result{solver->refined(), std::move(solution->report)};
-  result.control.points = std::move(solution->points);
-  result.control.channels = std::move(solution->channels);
-  return result;
+  return with_mesh(*solver, std::move(*solution));
 }
 
 }  // namespace surpass

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "interpolate/free_preconditioner.hpp"
-#include "interpolate/linear_constraints.hpp"
 #include "interpolate/linear_system.hpp"
 
 namespace surpass {
@@ -187,10 +186,10 @@ Result<std::optional<LinearConstraints>> constraints_of(const Wanted& wanted,
                                                         const FreeSystem& system,
                                                         std::span<const double> given,
                                                         const Units& units) {
-  if (wanted.equations == nullptr || wanted.equations->rows.empty()) return std::nullopt;
+  if (!wanted.constraints) return std::nullopt;
   const ConstraintUnits own{
       {units.centre[0], units.centre[1], units.centre[2]}, units.scale, units.side, units.rounding};
-  auto built = LinearConstraints::build(*wanted.equations, wanted.requirements, system, given, own);
+  auto built = wanted.constraints(system, given, own);
   if (!built) return tl::make_unexpected(built.error());
   return std::move(*built);
 }

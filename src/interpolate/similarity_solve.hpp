@@ -2,10 +2,11 @@
 // interpolation, for points or for a channel.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
-#include "interpolate/agreement.hpp"
+#include "interpolate/linear_constraints.hpp"
 #include "interpolate/similarity_prepared.hpp"
 
 namespace surpass {
@@ -16,8 +17,11 @@ struct Wanted {
   std::size_t width;
   bool positions;  // and not a channel
   const Elimination& elimination;
-  const RequirementRows* equations = nullptr;  // besides the given vertices; for positions
-  std::span<const Requirement> requirements = {};
+  // Besides the given vertices, for positions, in the units of the solve. A function, so that what
+  // makes them is only in programs that ask for it.
+  std::function<Result<LinearConstraints>(const FreeSystem&, std::span<const double>,
+                                          const ConstraintUnits&)>
+      constraints = {};
 };
 
 // Control values, #control by width, and how they were found.
