@@ -1,6 +1,9 @@
 #include "interpolate/agreement.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "interpolate/balanced_values.hpp"
@@ -30,7 +33,7 @@ Result<void> Agreement::check_fixed() const {
       return refuse_requirement(requirements_[number], number, kTooLarge, ErrorCode::not_finite);
     }
     const double missed = check_.is_chosen(row) ? 0 : check_.fixed_missed(row);
-    if (missed > 0) return contradiction({number}, missed, requirements_);
+    if (missed > 0) return contradiction(std::array{number}, missed, requirements_);
   }
   return {};
 }
@@ -42,17 +45,11 @@ Result<void> Agreement::choose() {
   for (int row = 0; row < scaled.rows(); ++row) {
     (check_.is_chosen(row) ? chosen : needed).push_back(row);
   }
-  std::optional<DependentRow> other;
-  auto found = check_.consistent_rows(scaled, needed, other);
-  const auto cancelled = fail(ErrorCode::cancelled, "cancelled while setting up");
-  if (context_.cancelled()) return cancelled;
-  if (other) {
-    auto error = contradiction_of(*other, check_, scaled, requirements_, context_);
-    if (context_.cancelled()) return cancelled;
-    return error;
-  }
-  if (!found) return not_told_apart();
-  found_ = std::move(*found);
+  auto [independent, other] = check_.look_at(scaled, needed);
+  if (context_.cancelled()) return fail(ErrorCode::cancelled, "cancelled while setting up");
+  if (other) return contradiction_of(*other, check_, scaled, requirements_, context_);
+  if (!independent) return not_told_apart();
+  found_ = std::move(*independent);
   if (!chosen.empty()) add_dispensable(scaled, chosen, context_, found_);
   constexpr double kMatters = 1e-6;
   for (const DependentRow& d : found_.dependent) {
@@ -70,14 +67,17 @@ FreeEquations::Rows Agreement::picked_rows() const {
 
 Eigen::VectorXd Agreement::values() const {
   constexpr double kMatters = 0.1;  // of what is allowed
-  std::vector<DependentRow> dropped;
-  bool matters = false;
-  for (const DependentRow& d : found_.dependent) {
-    if (check_.is_chosen(d.row) || equations_.factor[d.row] == 0) continue;
-    dropped.push_back(d);
-    matters = matters || check_.missed_by(d) > kMatters * check_.holds();
+  const auto is_dropped = [&](const DependentRow& d) {
+    return !check_.is_chosen(d.row) && equations_.factor[d.row] != 0;
+  };
+  const auto& dependent = found_.dependent;
+  if (std::none_of(dependent.begin(), dependent.end(), [&](const DependentRow& d) {
+        return is_dropped(d) && check_.missed_by(d) > kMatters * check_.holds();
+      })) {
+    return equations_.in_units;
   }
-  if (!matters) return equations_.in_units;
+  std::vector<DependentRow> dropped;
+  std::copy_if(dependent.begin(), dependent.end(), std::back_inserter(dropped), is_dropped);
   const Eigen::VectorXd wanted = check_.missed().cwiseProduct(equations_.factor);
   const Eigen::VectorXd balanced = balanced_values(dropped, wanted, context_);
   Eigen::VectorXd values = equations_.in_units;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "interpolate/leave_out.hpp"
 #include "interpolate/row_basis.hpp"
 
 namespace surpass {
@@ -19,13 +20,6 @@ std::vector<int> by_share(const DependentRow& d) {
   rows.reserve(shares.size());
   for (const auto& [row, share] : shares) rows.push_back(row);
   return rows;
-}
-
-std::vector<int> without(const std::vector<int>& rows, std::size_t begin, std::size_t count) {
-  std::vector<int> rest(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(begin));
-  const std::size_t end = std::min(rows.size(), begin + count);
-  rest.insert(rest.end(), rows.begin() + static_cast<std::ptrdiff_t>(end), rows.end());
-  return rest;
 }
 
 }  // namespace
@@ -48,17 +42,12 @@ DependentRow by_fewest_rows(const RowMatrix& rows, const DependentRow& d, const 
     found = expressed_by(some);
     if (!found && some.size() == all.size()) return d;
   }
-  for (std::size_t part = (some.size() + 1) / 2; part > 0; part /= 2) {
-    for (std::size_t begin = 0; begin < some.size();) {
-      const std::vector<int> fewer = without(some, begin, part);
-      if (auto better = expressed_by(fewer)) {
-        found = std::move(better);
-        some = fewer;
-      } else {
-        begin += part;
-      }
-    }
-  }
+  (void)leave_out(some, [&](std::vector<int> fewer) -> std::optional<std::vector<int>> {
+    auto better = expressed_by(fewer);
+    if (!better) return std::nullopt;
+    found = std::move(better);
+    return fewer;
+  });
   return *found;
 }
 

@@ -14,7 +14,7 @@ namespace surpass {
 struct ConstraintUnits {
   Point origin;
   double scale;
-  double side = 1;  ///< of the given points' box, which what is missed is relative to
+  double side;      ///< of the given points' box, which what is missed is relative to
   double rounding;  ///< of the given coordinates, relative to the side
 };
 

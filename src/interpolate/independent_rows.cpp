@@ -130,7 +130,6 @@ bool keep_near(const Rows& rows, const Suffices& suffices, const Context& contex
 // Whether none of those that are kept depends on others after all: of shares so large that what
 // kShift makes of them is not suspect, the first decomposition knows nothing.
 bool stay_independent(const Rows& rows, const std::vector<int>& kept, const Context& context) {
-  if (kept.empty()) return true;
   const Symmetric products = products_of(picked(rows, kept));
   SparseCholesky factor;
   return factor.compute(products, 0, context) && factor.is_accurate(products);
@@ -145,7 +144,7 @@ std::optional<IndependentRows> independent_among(const Rows& rows, const std::ve
   if (!factor.compute(products, kShift, context)) return std::nullopt;
   const Eigen::VectorXd pivots = factor.pivots();
   // Where they are all independent it is seen here already.
-  const bool far = which.empty() || factor.is_accurate(products);
+  const bool far = factor.is_accurate(products);
   bool stopped = false;
   const Suffices heard = [&](const DependentRow& d) { return stopped = suffices(d); };
   std::optional<std::size_t> looked_at;

@@ -104,7 +104,8 @@ Result<LinearConstraints> LinearConstraints::build(const RequirementRows& rows,
   // Nearly always all are independent, and then the decomposition that is needed anyway tells so.
   const bool any_chosen = std::any_of(rows.rows.begin(), rows.rows.end(),
                                       [](const RequirementRow& row) { return row.chosen; });
-  const double far = any_chosen ? kFarFromOthers : 1e-3;
+  constexpr double kSurelyFar = 1e-3;
+  const double far = any_chosen ? kFarFromOthers : kSurelyFar;
   const bool may_be = equations.free.rows() <= equations.free.cols();
   if (may_be) {
     agreement.take_all();

@@ -40,11 +40,11 @@ RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>&
   RequirementOutcome outcome;
   const Vector3 value = vector_of(r.value);
   const Vector3 derivative = along[0] * vector_of(s.du) + along[1] * vector_of(s.dv);
-  // `reach`: how far the tangents are from the nearest that point the right way.
-  const auto judge_angle = [&](const Vector3& found, double reach) {
+  // `way`: how far the tangents are from the nearest that point the right way.
+  const auto judge_angle = [&](const Vector3& found, auto&& way) {
     outcome.angle = angle_between(value, found);
     outcome.flipped = outcome.angle > std::acos(-1.0) / 2;
-    if (outcome.flipped) outcome.error = std::max(outcome.error, reach / side);
+    if (outcome.flipped) outcome.error = std::max(outcome.error, way() / side);
   };
   switch (r.kind) {
     case Requirement::Kind::position:
@@ -54,13 +54,14 @@ RequirementOutcome outcome_of(const Requirement& r, const std::array<double, 2>&
       const Vector3 n = value.stableNormalized();
       outcome.error =
           std::max(std::abs(n.dot(vector_of(s.du))), std::abs(n.dot(vector_of(s.dv)))) / side;
-      judge_angle(vector_of(s.normal), distance_to_parallel(vector_of(s.du), vector_of(s.dv)));
+      judge_angle(vector_of(s.normal),
+                  [&] { return distance_to_parallel(vector_of(s.du), vector_of(s.dv)); });
       break;
     }
     case Requirement::Kind::direction: {
       const Vector3 d = value.stableNormalized();
       outcome.error = (derivative - derivative.dot(d) * d).norm() / side;
-      judge_angle(derivative, derivative.norm());
+      judge_angle(derivative, [&] { return derivative.norm(); });
       break;
     }
     case Requirement::Kind::derivative: outcome.error = (derivative - value).norm() / side; break;

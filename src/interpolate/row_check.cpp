@@ -62,20 +62,22 @@ bool RowCheck::surely_contradicts(const DependentRow& d) const {
   return equations_.factor[d.row] != 0 && missed_by(d) > allowed_to(d) + holds_ * weight_of(d);
 }
 
-std::optional<IndependentRows> RowCheck::consistent_rows(const RowMatrix& scaled,
-                                                         const RowNumbers& rows,
-                                                         std::optional<DependentRow>& other) const {
+RowCheck::Look RowCheck::look_at(const RowMatrix& scaled, const RowNumbers& rows) const {
+  Look look;
   const Suffices suffices = [&](const DependentRow& d) {
-    if (surely_contradicts(d)) other = d;
-    return other.has_value();
+    if (surely_contradicts(d)) look.contradicts = d;
+    return look.contradicts.has_value();
   };
   auto found = independent_rows(scaled, rows, suffices, context_);
-  if (!found) return found;
+  if (!found) return look;
   const auto missed = std::find_if(found->dependent.begin(), found->dependent.end(),
                                    [&](const DependentRow& d) { return is_missed(d); });
-  if (missed == found->dependent.end()) return found;
-  other = *missed;
-  return std::nullopt;
+  if (missed == found->dependent.end()) {
+    look.independent = std::move(found);
+  } else {
+    look.contradicts = std::move(*missed);
+  }
+  return look;
 }
 
 }  // namespace surpass

@@ -41,10 +41,13 @@ class RowCheck {
   /// Whether that is more than is allowed to rounding and to what is left of it apart from the sum.
   [[nodiscard]] bool is_missed(const DependentRow& d) const;
 
-  /// Which of these rows, of length 1, are independent, if none contradicts others; if one does it
-  /// is `other`. Neither where independent_rows() found nothing.
-  [[nodiscard]] std::optional<IndependentRows> consistent_rows(
-      const RowMatrix& scaled, const RowNumbers& rows, std::optional<DependentRow>& other) const;
+  /// Neither where independent_rows() found nothing.
+  struct Look {
+    std::optional<IndependentRows> independent;  ///< where none contradicts others
+    std::optional<DependentRow> contradicts;
+  };
+  /// Which of these rows, of length 1, are independent, if they say the same.
+  [[nodiscard]] Look look_at(const RowMatrix& scaled, const RowNumbers& rows) const;
 
  private:
   [[nodiscard]] double weight_of(const DependentRow& d) const;

@@ -27,6 +27,14 @@ bool do_vanish(const Tangents& tangents, const Tangents& reference) {
   return sine_between(tangents) <= kVanishing * sine_between(reference);
 }
 
+// Of the normal or direction that is asked for and the one that is there.
+double cosine_to(const Tangents& tangents, const Requirement& r) {
+  const Vector3 found = tangents.cols() == 1
+                            ? Vector3(tangents.col(0))
+                            : Vector3(tangents.col(0)).cross(Vector3(tangents.col(1)));
+  return found.stableNormalized().dot(unit_vector(r.value));
+}
+
 // Equations do not know signs.
 bool are_bad(const Tangents& tangents, const Tangents& reference, const Requirement& r) {
   return do_vanish(tangents, reference) || cosine_to(tangents, r) < 0;

@@ -90,13 +90,6 @@ double reach_of(std::span<const Point> control, const RequirementRows& equations
   return reach;
 }
 
-double cosine_to(const Eigen::Matrix3Xd& tangents, const Requirement& r) {
-  const Vector3 found = tangents.cols() == 1
-                            ? Vector3(tangents.col(0))
-                            : Vector3(tangents.col(0)).cross(Vector3(tangents.col(1)));
-  return found.stableNormalized().dot(unit_vector(r.value));
-}
-
 double sine_between(const Eigen::Matrix3Xd& tangents) {
   if (tangents.cols() < 2) return 1;
   const Vector3 u = tangents.col(0);

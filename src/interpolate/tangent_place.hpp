@@ -33,9 +33,6 @@ namespace surpass {
 [[nodiscard]] double reach_of(std::span<const Point> control, const RequirementRows& equations,
                               std::size_t i);
 
-/// Of the angle between the normal or direction that is asked for and that of the tangents.
-[[nodiscard]] double cosine_to(const Eigen::Matrix3Xd& tangents, const Requirement& r);
-
 /// Between the two of a normal; 1 for a single tangent, which has no other to be parallel to.
 [[nodiscard]] double sine_between(const Eigen::Matrix3Xd& tangents);
 
